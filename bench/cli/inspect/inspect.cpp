@@ -1,5 +1,5 @@
-// desmo inspect: the structure of a mechanism, as one JSON document, which both output formats are
-// written from.
+// desmo inspect: the structure of a mechanism. It is collected in one JSON document, from which
+// both output formats are written.
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -37,21 +37,21 @@ Json list_groups(const Model& m) {
                       {"bodies", group.bodies},
                       {"moving_bodies", 0},  // N_m of the paper; bodies fixed to each other are one
                       {"driven", Json::array()},     // n_c of the paper: coordinates driven in it
-                      {"couplings", Json::array()},  // that it determines, or are left out
+                      {"couplings", Json::array()},  // those whose equations the group contains
                       {"unknowns", 0},
-                      {"solves_for", Json::array()},  // unknowns of its linear systems: not derived
+                      {"solves_for", Json::array()},  // entities neither derived, driven nor fixed
                       {"entities", names_at(m.entities, group.entities)},
                       {"on_ground", false},
-                      {"joined_to", Json::array()},  // earlier groups with a joint between bodies
+                      {"joined_to", Json::array()},  // earlier groups that a joint connects it with
                       {"after", names_at(m.groups, group.after)},
-                      {"blocks", Json::array()}});  // irreducible, in solution order
+                      {"blocks", Json::array()}});  // irreducible blocks, in solution order
   return groups;
 }
 
 void increase(Json& number, std::size_t by) { number = number.get<std::size_t>() + by; }
 
 void add_entities(const Model& m, Json& groups) {
-  std::vector<bool> known(m.entities.size(), false);  // derived or driven
+  std::vector<bool> known(m.entities.size(), false);  // by entity: it is derived or driven
   for (const Driver& driver : m.drivers) {
     const Entity& driven = m.entities[driver.coordinate];
     groups[driven.group]["driven"].push_back(driven.name);
@@ -67,7 +67,7 @@ void add_entities(const Model& m, Json& groups) {
       groups[m.entities[e].group]["solves_for"].push_back(m.entities[e].name);
 }
 
-/// Each constraint with the rows that are equations.
+/// Returns the constraints of the equations, each with those of its rows that are among them.
 Json equations_json(const Model& m, const std::vector<Equation>& equations) {
   Json list = Json::array();
   for (std::size_t i = 0; i < equations.size(); ++i) {
@@ -91,7 +91,7 @@ void add_blocks(const Model& m, Json& groups) {
   }
 }
 
-/// The group of each rigid body.
+/// Returns the group of each rigid body, `ground` for the first.
 std::vector<GroupId> group_of_rigid_bodies(const Model& m, const Mechanism& d,
                                            const RigidBodies& rigid) {
   std::map<std::string, GroupId> by_name;
@@ -107,7 +107,7 @@ std::vector<GroupId> group_of_rigid_bodies(const Model& m, const Mechanism& d,
 void add_neighbours(const Model& m, const Mechanism& d, const RigidBodies& rigid, Json& groups) {
   const std::vector<GroupId> group = group_of_rigid_bodies(m, d, rigid);
   for (std::size_t r = 1; r < group.size(); ++r) increase(groups[group[r]]["moving_bodies"], 1);
-  std::set<std::pair<GroupId, GroupId>> joined;  // each with an earlier one
+  std::set<std::pair<GroupId, GroupId>> joined;  // (group, an earlier one that it is joined to)
   for (const Mechanism::Joint& joint : d.joints) {
     const auto [first, last] =
         std::minmax(group[rigid.of_body[joint.bodies[0]]], group[rigid.of_body[joint.bodies[1]]]);
@@ -120,7 +120,8 @@ void add_neighbours(const Model& m, const Mechanism& d, const RigidBodies& rigid
   for (const auto& [g, earlier] : joined) groups[g]["joined_to"].push_back(m.groups[earlier].name);
 }
 
-/// Returns the spanning tree of a model with frames, parents first, and the joints that are cut.
+/// Returns the spanning tree of a model with frames, parents first, and the joints that are cut;
+/// two empty arrays for a model without frames.
 std::pair<Json, Json> describe_tree(const Model& m, const Mechanism& d, const RigidBodies& rigid) {
   Json bodies = Json::array(), cut_joints = Json::array();
   if (!has_frames(m.modelling)) return {bodies, cut_joints};
@@ -138,7 +139,8 @@ std::pair<Json, Json> describe_tree(const Model& m, const Mechanism& d, const Ri
   return {bodies, cut_joints};
 }
 
-/// Returns by how much an equation does not hold, in the units of the input; null: nobody knows.
+/// Returns by how much an equation does not hold, in the units of the input; null where its misfit
+/// was not computed.
 Json describe_misfit(const LeftOut& left_out, const DisplayUnits& units) {
   if (!left_out.misfit) return nullptr;
   const DisplayUnit unit = left_out.misfit->is_length ? units.length : DisplayUnit{"1"};

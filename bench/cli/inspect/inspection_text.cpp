@@ -19,7 +19,8 @@ bool is_natural(const Json& structure) {
   return structure["coordinates"]["kind"] == name_of(Modelling::natural);
 }
 
-/// Sizes of the irreducible blocks: "16 + 6×3 + 5×1".
+/// Returns the numbers of unknowns of the irreducible blocks: "16 + 6×3" for one block of 16
+/// unknowns and six of 3; "none" without blocks.
 std::string block_sizes(const Json& blocks) {
   std::map<std::size_t, int, std::greater<>> times_of_size;
   for (const Json& b : blocks) ++times_of_size[b["unknowns"].size()];
@@ -56,7 +57,7 @@ std::string group_text(const Json& group, bool has_derived) {
   return text + line("after", enumerate(after));
 }
 
-/// Returns a heading with the number of entries, and these.
+/// Returns a heading with the number of entries, followed by the entries.
 std::string section(const std::string& heading, const std::vector<std::string>& entries) {
   std::string text = heading + ": " + std::to_string(entries.size()) + "\n";
   for (const std::string& entry : entries) text += entry;
@@ -72,7 +73,7 @@ std::string groups_text(const std::string& heading, const Json& structure, bool 
   return section("\n" + heading, entries);
 }
 
-/// The tree, body by body, and the joints that were cut.
+/// Returns the spanning tree, body by body, and the joints that were cut.
 std::string tree_text(const Json& structure) {
   std::string text = "\nSpanning tree, parents first:\n";
   for (const Json& hanging : structure["tree"]) {

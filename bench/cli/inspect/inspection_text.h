@@ -5,7 +5,7 @@
 
 namespace desmo::cli {
 
-/// Returns what `desmo inspect --json` writes in words and figures.
+/// Returns the text of `desmo inspect` for the structure that `desmo inspect --json` writes.
 std::string inspection_text(const nlohmann::ordered_json& structure);
 
 }  // namespace desmo::cli

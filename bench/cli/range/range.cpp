@@ -38,7 +38,7 @@ std::vector<std::string> joints_at(const std::vector<std::string>& moving, const
   return joints;
 }
 
-/// Returns the bodies that carry all points and vectors of one of the constraints.
+/// Returns the bodies that carry all points and vectors of at least one of the constraints.
 std::vector<std::string> bodies_of(const std::vector<int>& constraints, const Model& m,
                                    const Mechanism& d) {
   const auto carries_all = [&](const Mechanism::Body& body, const Constraint& c) {
@@ -63,8 +63,9 @@ NamedEnd with_names(const RangeEnd& end, const char* direction, const Model& m,
           bodies_of(end.constraints, m, d)};
 }
 
-/// The position at the start, on the branch of the drawing, and what is proven of it. At a dead
-/// point nothing can be assembled, but the estimate may be near enough.
+/// The position at the start, and what is proven of it. Where none can be assembled, as at a dead
+/// point, q is the model's estimate, which may be near enough. Drivers have their values at the
+/// start in either case.
 struct Start {
   CheckedSummary summary;
   std::vector<double> q;

@@ -9,25 +9,27 @@
 
 namespace desmo::cli {
 
-/// End of a driver's way, with names.
+/// An end of a driver's range (RangeEnd), with names for people.
 struct NamedEnd {
   RangeEnd end;
-  std::string direction;            ///< "down", "up"
-  std::vector<std::string> joints;  ///< joints at points that can still move
-  std::vector<std::string> bodies;  ///< bodies through which the driver is held: the loop
+  std::string direction;            ///< "down" or "up", seen from the start
+  std::vector<std::string> joints;  ///< joints with a point that can still move at a dead point
+  std::vector<std::string> bodies;  ///< bodies of the loop that holds the driver at a dead point
 };
 
+/// The range of a driver (DriverRange), with names for people.
 struct NamedRange {
   std::string driver;
   bool is_angle;
   DisplayUnit unit;
   DriverRange range;
-  std::vector<NamedEnd> ends;  ///< down, up, then perhaps that on the other branch
+  std::vector<NamedEnd> ends;  ///< down, up; if the start is a dead point, that on the other branch
 };
 
+/// The ranges of all drivers of a scene.
 struct Ranges {
   const Model& model;
-  double time;  ///< of the start [s]
+  double time;  ///< time of the scene's start [s]
   std::vector<NamedRange> drivers;
 };
 

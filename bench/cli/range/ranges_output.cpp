@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Names by RangeStop.
+/// Names of the stops in JSON, in the order of RangeStop.
 constexpr std::array stop_names{"dead_point", "full_turn",   "zero_length", "other_branch",
                                 "start",      "not_reached", "none"};
 
