@@ -9,7 +9,7 @@ namespace desmo::cli {
 
 namespace {
 
-/// Returns what keeps an instant from being proven.
+/// Returns what keeps an instant from being proven; " to prove that a solution is near" follows.
 std::string obstacle_text(ProofFailure failure) {
   switch (failure) {
     case ProofFailure::drivers:

@@ -9,12 +9,13 @@
 namespace desmo::cli {
 
 /// Returns the accuracy of the results: a line on how many rows are proven, the condition number
-/// and the largest radii, and the lines of note_on_flags(). check: what was to be proven.
+/// and the largest radii, and the lines of note_on_flags(). check: what was to be proven; with
+/// CheckMode::none, returns a line that says that nothing is.
 std::string note_on_proofs(const CheckedSummary& summary, const CheckOptions& check, Level level,
                            const Model& model, const DisplayUnits& units);
 
-/// Returns lines on the rows that are flagged, the first change point, the largest contradiction
-/// and the number of change points, each if there are any.
+/// Returns lines on the rows that are flagged, on the first change point, on the largest
+/// contradiction, and on the number of change points if there are several; "" if there are none.
 std::string note_on_flags(const CheckedSummary& summary, const Model& model,
                           const DisplayUnits& units);
 

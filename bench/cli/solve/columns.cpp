@@ -36,9 +36,10 @@ std::vector<std::string> owners_of(const std::string& name, const Mechanism& d) 
 
 /// Throws InputError where two columns have one heading.
 void require_headings_of_their_own(const std::vector<Column>& columns, const Input& input) {
-  std::map<std::string, std::string> names;  // by heading
+  std::map<std::string, std::string> names;  // the name of a column, by its heading
   for (const Column& c : columns)
-    if (c.order == 0 && !names.emplace(c.heading(), c.name).second)  // those of rates follow
+    // Headings of rates are equal where those of order 0 are.
+    if (c.order == 0 && !names.emplace(c.heading(), c.name).second)
       throw InputError(input.source + ": two columns are headed " + desmo::in_quotes(c.heading()) +
                        ", those of " +
                        joined(owners_of(c.name, input.scene.mechanism), std::identity{}, " and ") +
@@ -93,7 +94,7 @@ std::vector<Column> make_columns(const Plan& plan, const Measures& measures, con
   std::vector<Column> columns;
   const Scene& scene = input.scene;
   const bool everything = scene.asks_for_everything();
-  // After the outputs that are asked for come those that measures read.
+  // The plan's outputs are those asked for, followed by those that measures read.
   for (const Output& output :
        std::span(plan.outputs).first(everything ? plan.outputs.size() : scene.request.size()))
     if (!everything || !plan.model.is_at_rest(output.entity))

@@ -18,10 +18,10 @@ struct Column {
   DisplayUnit
       unit;  ///< "mm", "mm/s", "mm/s^2"; "deg", …; "-" for unit vectors; "1" for a free length
   Level level;
-  int order = 0;          ///< of the derivative in its name
-  int coordinate = -1;    ///< position in q, q̇ or q̈, measures included; -1: a constant
-  double constant = 0;    ///< in SI units
-  bool may_lack = false;  ///< NaN stands for a missing number, such as a ratio at rest
+  int order = 0;          ///< order of the time derivative that the name stands for: 0, 1 or 2
+  int coordinate = -1;    ///< index in q, q̇ or q̈, after which measures follow; -1: a constant
+  double constant = 0;    ///< value of a constant column, in SI units
+  bool may_lack = false;  ///< numbers may be missing (NaN), such as a ratio of rates at rest
 
   /// Returns the value in the column's unit.
   double value(const Instant& instant) const {
@@ -33,14 +33,14 @@ struct Column {
 /// Returns the columns of an entity up to a level.
 std::vector<Column> columns_of(const Model& model, const Output& output, const DisplayUnits& units);
 
-/// Returns the columns of measures. coordinates: number of those before them in an instant.
+/// Returns the columns of measures. coordinates: number of coordinates before them in an instant.
 std::vector<Column> columns_of(const Measures& measures, int coordinates,
                                const DisplayUnits& units);
 
-/// Returns the columns of entities in the order asked for, of each positions, velocities and
-/// accelerations as far as asked; then those of the measures. Where everything is asked for, what
-/// never moves is left out. Throws InputError, naming the source, where two columns have one
-/// heading.
+/// Returns the columns of entities in the order asked for, then those of the measures. An entity
+/// has positions, velocities and accelerations up to the level asked for. Where everything is asked
+/// for, what never moves is left out. Throws InputError, naming the source, where two columns have
+/// one heading.
 std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Input& input);
 
 }  // namespace desmo::cli

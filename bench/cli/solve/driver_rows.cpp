@@ -12,7 +12,7 @@
 namespace desmo::cli {
 namespace {
 
-constexpr std::size_t max_line = std::size_t{1} << 20;
+constexpr std::size_t max_line = std::size_t{1} << 20;  // bytes of a line (≤)
 
 }  // namespace
 
@@ -59,7 +59,7 @@ bool DriverRows::read_line(std::string& line) {
   return true;
 }
 
-/// Says what each column is, by its name.
+/// Sets the targets of columns by their names in a heading.
 void DriverRows::read_heading(const std::vector<std::string_view>& fields) {
   targets_.assign(fields.size(), {});
   time_column_ = fields.size();
@@ -92,7 +92,7 @@ void DriverRows::read_heading(const std::vector<std::string_view>& fields) {
         fail(0, "there is no column " + desmo::in_quotes(columns_[d][order].name) + "; name one");
 }
 
-/// Says what each column is, by how many there are.
+/// Sets the targets of columns without a heading. fields: number of columns in the first row.
 void DriverRows::read_first(std::size_t fields) {
   const std::size_t drivers = wanted_.size();
   targets_.assign(1, {});

@@ -21,25 +21,25 @@ namespace desmo::cli {
 class DriverRows {
  public:
   /// Opens a file, or standard input for "-". Throws CommandError (unreadable_input).
-  /// - whole: its drivers have the columns, where there is no heading
-  /// - model: its drivers are read
+  /// - whole: model of the scene; without a heading, its drivers have the columns, in their order
+  /// - model: model that is solved; the values of its drivers alone are read
   /// - level: highest level that is needed
-  /// - units: of the rows
+  /// - units: units of the rows
   DriverRows(const std::string& path, const Model& whole, const Model& model, Level level,
              const DisplayUnits& units);
 
-  /// Reads the next row, which is valid until the one after it. Returns false at the end. Throws
-  /// InputError, naming line and column, and CommandError (unreadable_input).
+  /// Reads the next row, which stays valid until next() is called again. Returns false at the end.
+  /// Throws InputError, naming line and column, and CommandError (unreadable_input).
   bool next(LiveRow& row);
 
-  /// "drivers.csv: line 3", of the row read last.
+  /// Returns the place of the line read last: "drivers.csv: line 3".
   std::string place() const;
 
  private:
-  /// The target of a number of a line.
+  /// Where the numbers of a column are stored.
   struct Target {
-    int level = -1;  // of z, ż, z̈; -1: nowhere
-    std::size_t driver = 0;
+    int level = -1;          // 0: z, 1: ż, 2: z̈; -1: not stored, or the time
+    std::size_t driver = 0;  // index in the drivers of `whole`
   };
   bool read_line(std::string& line);
   void read_heading(const std::vector<std::string_view>& fields);
@@ -48,14 +48,14 @@ class DriverRows {
 
   std::string source_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::vector<std::vector<Column>> columns_;  // by driver of `whole`, then by level
-  std::vector<int> wanted_;                   // by driver: its place in rows, or -1
+  std::vector<std::vector<Column>> columns_;  // the column of a driver of `whole`, at each level
+  std::vector<int> wanted_;  // by driver of `whole`: its index in a LiveRow; -1: it is not solved
   int level_;
   long line_ = 0;
   std::string text_;
   std::vector<std::string_view> fields_;
   std::size_t time_column_ = 0;
-  std::vector<Target> targets_;  // by column, once known
+  std::vector<Target> targets_;  // by column of the input; empty until its first line is read
   std::vector<double> values_[3];
 };
 

@@ -20,17 +20,19 @@ std::string assembly_error_text(const std::optional<Misfit>& d, const Model& m,
   return "; at best " + off_by(*d, m, units);
 }
 
-/// Newton's method has failed, and there is no assembly error.
+/// Reason where Newton's method has failed and no assembly error was found.
 constexpr const char* not_reached = "a position exists, but was not found from the one before";
 
-/// A residual below which a position is found but for rounding: no step, however small, helps.
+/// Relative residual (<) at which only rounding keeps an instant from its tolerance, so that
+/// smaller steps do not help. Compare BasicSummary::residual.
 constexpr double near_rounding = 1e-11;
 
 struct Reason {
   std::string what, remedy;
 };
 
-/// Returns why a table is of no help. Without a proof, nobody knows which way led out of it.
+/// Returns why the equation of a table is not finite. Only a proof tells that the motion locks at
+/// an extremum of the table; without one, a coordinate has left the table.
 Reason table_reason(const CheckedSummary& s, const Model& m, const DisplayUnits& units) {
   if (s.table_lock) {
     const Entity& argument = m.entities[s.table_lock->argument];
@@ -133,7 +135,7 @@ std::string failure_text(const CheckedSummary& s, const Model& m, const DisplayU
   const Reason reason = reason_of(s, m, units, is_start);
   std::string place = in_group(s.group, m);
   if (s.constraint >= 0) place += "constraint '" + m.constraints[s.constraint].name + "', ";
-  // There is none where an instant between those solved is not right.
+  // A residual that is not finite is left out: an interpolated instant that is not right has none.
   const std::string residual =
       std::isfinite(s.residual) ? formatted(" (residual %.1e)", s.residual) : "";
   std::string start = !is_start ? ""

@@ -10,8 +10,8 @@
 namespace desmo::cli {
 
 /// Returns "group 'SG-I' (crank, rod), constraint 'rod/length', t = 0.3 s: no position was found …;
-/// at best 'rod/length' is off by 1.2 mm; <remedy>". Where the first instant failed, it says what
-/// start_text() does.
+/// at best 'rod/length' is off by 1.2 mm; <remedy>". Where the first instant failed, start_text()
+/// is part of it.
 /// - z: values of the drivers at the instant that failed; empty: those of their motions
 std::string failure_text(const CheckedSummary& summary, const Model& model,
                          const DisplayUnits& units, std::span<const double> z = {});
@@ -20,6 +20,7 @@ std::string failure_text(const CheckedSummary& summary, const Model& model,
 /// drivers, the farthest from the drawing first; "" where all start as drawn.
 /// - z: values of the drivers
 std::string start_text(const Model& model, const DisplayUnits& units, std::span<const double> z);
+
 /// Returns lines on the intervals that could not be assembled, if any.
 std::string note_on_gaps(const CheckedSummary& summary, const Model& model,
                          const DisplayUnits& units);

@@ -8,22 +8,25 @@
 
 namespace desmo::cli {
 
-/// Returns lines by group: what a plan keeps, to which level, for which entity, and what it drops.
+/// Returns a line on the unknowns and drivers that a plan keeps, then one for each group that it
+/// needs: what it keeps, to which level, for which entity, and what it drops.
 std::string explain(const Plan& plan, const Model& whole);
 
 /// Returns a line when parts lack the generated code that the formulation's id promises, else
 /// nothing. named: whether the user has chosen the formulation.
 std::string note_on_code(const Formulation& formulation, bool named);
 
-/// Returns a line on steps that generated code refused, what that cost, and their branches; else
-/// nothing. named: whether the user has chosen the formulation.
+/// Returns a line on the steps that generated code left to a more general solver, and on how many
+/// of them changed the assembly branch; "" if it left none. named: whether the user has chosen the
+/// formulation.
 std::string note_on_refusals(const Formulation& formulation, bool named);
 
 /// Returns a line when the id asks for segments of the motion but it was solved step by step; else
 /// nothing.
 std::string note_on_steps(const Formulation& formulation);
 
-/// Returns a line when rounding prevents the requested tolerance; else nothing.
+/// Returns a line when the formulation's tolerance, which rounding bounds from below, is at least
+/// 1.01 times the one asked for; else nothing.
 std::string note_on_tolerance(const Formulation& formulation, double asked);
 
 /// Returns a line on groups of a whole model that a plan leaves out although they may lock; else

@@ -13,19 +13,21 @@
 namespace desmo::cli {
 namespace {
 
+/// Size of collected text [bytes] from which (≥) it is written to the output.
 constexpr std::size_t enough_to_write = std::size_t{1} << 16;
 
-/// Returns the shortest decimal that reads back as a double.
+/// Returns the shortest decimal number that reads back as this double.
 Quadruple as_written(double value) {
   char text[32] = {};
   std::to_chars(text, text + sizeof text - 1, value);
   return Quadruple(text);
 }
 
-/// Returns start + count · step of decimals, rounded to a double.
+/// Returns start + count · step, computed with the decimal numbers of as_written() and rounded to a
+/// double.
 double decimal_time(double start, double step, std::int64_t count) {
-  // |time| < max_rounding · |start| is 0: roundings leave 1e-33 of the start, decimals of 17 digits
-  // that do not cancel in 2³¹ steps at least 4e-27.
+  // A time with |time| < max_rounding · |start| is 0. Roundings leave 1e-33 |start| where decimals
+  // cancel; where those of 17 digits do not, at least 4e-27 |start| is left within 2³¹ steps.
   constexpr double max_rounding = 1e-30;
   const Quadruple first = as_written(start), time = first + count * as_written(step);
   return abs(time) < max_rounding * abs(first) ? 0 : static_cast<double>(time);
@@ -39,9 +41,9 @@ void append_number(double value, std::string& text) {
   text.append(digits, end);
 }
 
-/// Appends a time [s] as it was asked for: of the i-th instant, start + i step of the decimals,
-/// where the double has the rounding of `step` i times. Of a time that is none of the grid's
-/// instants, appends the number.
+/// Appends a time [s] as it was asked for: where it is an instant of the grid, by decimal_time(),
+/// since the instant's double has the rounding of `step` as often as it has steps. Any other time
+/// is appended as it is.
 void append_time(double time, const TimeGrid& grid, std::string& text) {
   const double index = std::round((time - grid.start) / grid.interval());
   const bool is_instant =
@@ -52,7 +54,8 @@ void append_time(double time, const TimeGrid& grid, std::string& text) {
   append_number(time, text);
 }
 
-/// On a change point there are no rates, and no ratio of them at rest.
+/// Returns whether a column has a number at an instant. Rates lack it on a change point, ratios of
+/// rates where nothing moves.
 bool is_known(const Column& column, const Instant& instant) {
   return column.coordinate < 0 || (!instant.q.empty() && !std::isnan(column.value(instant)));
 }
@@ -122,7 +125,8 @@ SeriesWriter::SeriesWriter(const SeriesHeading& heading, Measures& measures, Out
 
 Flow SeriesWriter::observe(const Instant& solved) noexcept try {
   const Instant instant = measures_.extend(solved);
-  const bool may_lack = !remark_.empty();  // rates, on a change point
+  // The row is flagged. One on a change point lacks rates.
+  const bool may_lack = !remark_.empty();
   const auto finite = [&](const Column& column) {
     const double value = column.value(instant);
     return std::isfinite(value) ||

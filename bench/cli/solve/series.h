@@ -19,32 +19,34 @@ enum class SeriesFormat {
   jsonl,  ///< an object with mechanism, scene, formulation and columns, then arrays of numbers
 };
 
-/// Properties of a series apart from its numbers.
+/// Properties of a series, its numbers excepted.
 struct SeriesHeading {
   SeriesFormat format;
   std::string mechanism, scene, formulation;
-  std::vector<Column> columns;  ///< the time, which comes first, left out
+  std::vector<Column> columns;  ///< columns after the first, which is the time
   std::string remark;           ///< name of a last column of words; empty: there is none
-  TimeGrid grid{};              ///< whose times are written as they were asked for
+  TimeGrid grid{};              ///< its times are written as decimals: 0.3 for the double 3 · 0.1
 };
 
 /// Returns the first line.
 std::string first_line(const SeriesHeading& heading);
 
-/// Appends the line of an instant, with finite numbers: JSON knows no others. Without positions
-/// only what is fixed has a value.
+/// Appends the line of an instant. NaN becomes a missing number; infinite numbers, which JSON does
+/// not know, must not be among those of the columns. Without positions, only constants have a
+/// value.
 void append_line(const SeriesHeading& heading, const Instant& instant, std::string_view remark,
                  std::string& text);
 
-/// Observer that writes each instant, in blocks of text. It stops the run when the output throws or
-/// a number is not finite.
+/// Observer that writes each instant, in blocks of text. It stops the run when the output throws,
+/// or when a number is not finite that is not merely missing (NaN in a column or row that may lack
+/// it).
 class SeriesWriter final : public Observer {
  public:
-  /// heading: outlives the writer; measures: those of its columns
+  /// heading: must outlive the writer; measures: those whose columns it has
   SeriesWriter(const SeriesHeading& heading, Measures& measures, OutputFile& output,
                bench::Progress* progress);
 
-  /// Sets the remark on the instant that is observed next; it must outlive that.
+  /// Sets the remark on the instant that is observed next. The text must last until then.
   void remark_next(std::string_view remark) { remark_ = remark; }
   Flow observe(const Instant& solved) noexcept override;
   /// Returns overflow_text() of the number that was not finite and ended the run; empty: none.

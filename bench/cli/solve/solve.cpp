@@ -77,7 +77,7 @@ PlanExtent extent_of(CheckMode mode) {
 
 /// kernels: receives generated code, and must outlive the formulation.
 std::unique_ptr<Formulation> make_solver(const Task& task, KernelTable& kernels) {
-  // For the program's own choice nobody waits for a compiler.
+  // A formulation that the user has not named is not worth the wait for a compiler.
   if (task.named)
     add_missing_code(kernels, task.chosen, task.plan.model, task.input.scene.grid,
                      task.options.own_code, task.options.quiet);
@@ -98,7 +98,7 @@ CheckedSummary run_through(const Task& task, Formulation& formulation, SeriesWri
   return run_checked(formulation, task.input.scene.grid, Request{task.plan.level()}, writer, check);
 }
 
-/// Returns the failure that ended a run or, where all instants are in gaps, that of the first.
+/// Returns the failure that ended a run or, where all instants are in gaps, that of the first gap.
 CheckedSummary failure_of(const CheckedSummary& summary) {
   CheckedSummary failure = summary;
   if (!summary.ok()) return failure;
@@ -109,8 +109,8 @@ CheckedSummary failure_of(const CheckedSummary& summary) {
   return failure;
 }
 
-/// Throws where the run failed or strict rules refuse it. Before, rows go to standard output, which
-/// may have any number of them; a file is written whole or not at all.
+/// Throws CommandError (not_solved) where the run failed or --strict refuses it. Writes the
+/// remaining rows first, on failure to standard output only: a file is written whole or not at all.
 void require_success(const Task& task, const CheckedSummary& summary, SeriesWriter& writer) {
   const auto fail = [&](const std::string& what, long instants) {
     std::string text = task.input.source + ": " + what;

@@ -29,17 +29,17 @@ struct Task {
   const Input& input;
   const Configuration& chosen;
   const Model& whole;  ///< the model of the scene
-  const Plan& plan;    ///< its part that is solved
-  Measures& measures;  ///< of the columns
+  const Plan& plan;    ///< the part of `whole` that is solved
+  Measures& measures;  ///< measures that have columns
   const SeriesHeading& heading;
   OutputFile& output;
   bool named;  ///< the formulation is the user's choice, not the program's
 };
 
 /// Answers each row of --drivers at once, with its outcome. Throws what DriverRows and OutputFile
-/// throw, and CommandError: usage_error for what rows cannot have; not_solved at the first row that
-/// fails or, with --strict, is flagged. With --past-failures, names these on standard error
-/// instead, unless quiet.
+/// throw, and CommandError: usage_error for a formulation or --check that rows cannot have;
+/// not_solved at the first row that fails or, with --strict, is flagged. With --past-failures,
+/// names such rows on standard error instead, unless quiet.
 void solve_rows(const Task& task, Formulation& formulation);
 
 }  // namespace desmo::cli
