@@ -1,7 +1,7 @@
 // Makes the page that `desmo view` fills, as a source of the program:
 //   node bundle.mjs SOURCES PACKAGES OUTPUT.cpp
-// SOURCES: this folder; PACKAGES: where `npm ci` has put node_modules. The same input gives the same
-// bytes. Licences of what is bundled stand in the page.
+// SOURCES: this folder; PACKAGES: where `npm ci` has put node_modules. The same input gives the
+// same bytes. Licences of what is bundled stand in the page.
 import {existsSync, readFileSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
@@ -10,7 +10,8 @@ const [sources, packages, output] = process.argv.slice(2);
 const {build} = createRequire(join(packages, 'package.json'))('esbuild');
 const read = name => readFileSync(join(sources, name), 'utf8').trim();
 
-// Returns the licences of the packages that a bundle has parts of, each text once.
+// Returns the licences of the packages that a bundle contains files of. Each text stands there
+// once, under the names of all packages that have it.
 function licences(inputs) {
   const names = new Set(Object.keys(inputs).flatMap(
       path => path.match(/node_modules\/((?:@[^/]+\/)?[^/]+)\//)?.[1] ?? []));
@@ -18,7 +19,7 @@ function licences(inputs) {
   for (const name of [...names].sort()) {
     const folder = join(packages, 'node_modules', name);
     const {version} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
-    // Those of Vega's many packages that have no licence of their own stand under its.
+    // Vega's packages without a licence file of their own are under Vega's licence.
     const file = [...['LICENSE', 'LICENSE.md', 'license'].map(n => join(folder, n)),
                   ...(name.startsWith('vega-') ? [join(packages, 'node_modules', 'vega', 'LICENSE')] : []),
                  ].find(existsSync);
@@ -41,7 +42,7 @@ async function page() {
   return read('page.html').replace('@STYLE@', () => read('page.css')).replace('@SCRIPT@', () => script) + '\n';
 }
 
-// A text as C++ has it, in pieces that every compiler takes.
+// Returns a text as a C++ string literal, in pieces of at most 12000 bytes, which compilers take.
 function literal(text) {
   const bytes = Buffer.from(text, 'utf8');
   const pieces = [];

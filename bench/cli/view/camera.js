@@ -1,14 +1,16 @@
-// The view of the mechanism: from where, how near, and what of it. A plane mechanism is seen from
-// above. It shows everything until the reader moves it.
+// The view of the mechanism: from which side, how large, and which part. A plane mechanism is seen
+// from above. The view shows the whole mechanism until the reader moves or zooms it.
 import {dot, minus} from './data.js';
 
-const margin = 46;  // px
-const distance = 4;  // of the eye, in sizes of the mechanism
-const usual = 60;  // px; where links are shorter, glyphs are smaller
+const margin = 46;  // blank border about the mechanism [px]
+const distance = 4;  // distance of the eye from its middle, in sizes of the mechanism (data.size)
+const usual = 60;  // length of links [px] below which glyphs are smaller than usual
+// Changes of turn and height [rad] by key.
 const turns = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1]};
 
 export class Camera {
-  // usual_length: of links, in the picture's unit. moved: called when the picture looks another way.
+  // usual_length: usual length of a link, in the mechanism's unit of length. moved: called when the
+  // view has changed.
   constructor(stage, data, usual_length, moved) {
     Object.assign(this, {stage, data, usual_length, moved, spatial: data.dimension === 3});
     const {low, high} = data;
@@ -19,7 +21,8 @@ export class Camera {
     new ResizeObserver(() => this.steered ? moved() : this.fit()).observe(stage);
   }
 
-  // Turns the eye: from where about the vertical, and how far above the horizon [rad].
+  // Places the eye: its angles about the vertical and above the horizon [rad], and its distance
+  // from the middle in sizes of the mechanism.
   look(turn, height, eye = distance) {
     Object.assign(this, {turn, height, eye: eye * this.data.size});
     const [c, s, up] = [Math.cos(turn), Math.sin(turn), Math.sin(height)];
@@ -28,23 +31,25 @@ export class Camera {
     this.toward = [s * Math.cos(height), -c * Math.cos(height), up];
   }
 
-  // Returns where a position is seen, about the middle of the picture, y up; and how near it is.
+  // Returns how far right of the middle and above it a position is seen, and how much nearer to the
+  // eye than the middle it is: three lengths in the mechanism's unit.
   #seen(x) {
     const d = minus(x, this.middle), near = dot(d, this.toward);
     const grown = 1 / Math.max(1 - near / this.eye, 1e-3);
     return [grown * dot(d, this.right), grown * dot(d, this.up), near];
   }
 
-  // Returns the place of a position in the picture [px], and how near it is.
+  // Returns the place of a position in the picture [px], and its nearness as #seen() does.
   project(x) {
     const [right, up, near] = this.#seen(x);
     return [this.origin[0] + this.scale * right, this.origin[1] - this.scale * up, near];
   }
 
-  // Returns the size of glyphs.
+  // Returns the size of glyphs, from 0.25 to 1; 1 is the usual one.
   get unit() { return Math.min(1, Math.max(0.25, this.scale * this.usual_length / usual)); }
 
-  // Shows everything, and goes on doing so until the reader moves the picture.
+  // Shows the whole mechanism, also when the stage changes its size, until the reader moves or
+  // zooms.
   fit() {
     this.steered = false;
     const {clientWidth: width, clientHeight: height} = this.stage;
@@ -78,8 +83,9 @@ export class Camera {
     else this.fit();
   }
 
-  // Dragging moves a plane and turns a space; with shift or another button, or with two fingers, it
-  // moves both. The wheel and two fingers zoom; arrow keys turn while the picture has the focus.
+  // Dragging moves a plane mechanism and turns a spatial one; with shift, another button or two
+  // fingers, it moves either. Two fingers zoom, as does the wheel with ctrl or while the picture
+  // has the focus. Arrow keys turn a spatial mechanism while the picture has the focus.
   #steer() {
     const {stage} = this, fingers = new Map();
     if (this.spatial) stage.dataset.turns = 'true';
@@ -115,7 +121,7 @@ export class Camera {
       });
     stage.addEventListener('contextmenu', event => this.spatial && event.preventDefault());
     stage.addEventListener('wheel', event => {
-      if (!event.ctrlKey && document.activeElement !== stage) return;  // the reader scrolls
+      if (!event.ctrlKey && document.activeElement !== stage) return;  // the wheel scrolls the page
       event.preventDefault();
       this.zoom(Math.exp(-event.deltaY / 600), [event.offsetX, event.offsetY]);
     }, {passive: false});

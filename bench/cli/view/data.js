@@ -1,8 +1,9 @@
-// The data of the page: what C++ wrote as JSON, and columns of numbers as floats in base64.
+// The data of the page: the JSON that page_data.cpp wrote, and columns of numbers as floats in
+// base64.
 import {add_transmission, interpret} from './mechanism.js';
 
-// Returns what there is to show: the JSON, with `values` of each column, the `times` of the instants
-// and the positions in the list before which instants are missing (`holes`).
+// Returns what there is to show: the JSON, with `values` of each column, the `times` [s] of the
+// instants, and the indices of instants before which others are missing (`holes`).
 export function read() {
   const data = JSON.parse(document.getElementById('data').textContent);
   const bytes = Uint8Array.from(atob(data.numbers), c => c.charCodeAt(0));
@@ -33,16 +34,17 @@ export function read() {
   return data;
 }
 
-// Returns how to write a time [s]: with seven digits, or with as many as tell instants apart, of which there
-// may be one.
+// Returns a function that writes a time [s]: with seven digits, or with as many as tell the grid's
+// instants apart. The grid may have one instant alone.
 function seconds({start, interval, instants}) {
   const latest = Math.max(Math.abs(start), Math.abs(start + (instants - 1) * interval));
   const digits = Math.min(17, Math.max(7, Math.ceil(Math.log10(latest / interval)) + 2 || 7));
   return time => `${Number(time.toPrecision(digits))} s`;
 }
 
-// Finds the box of all positions, at the origin where there are none, and its diagonal, the size of the
-// mechanism; and the longest rates.
+// Finds the box of all positions, which is the origin where there are none; its diagonal, the size
+// of the mechanism; and the greatest speed and acceleration of a point. Zeros of these three count
+// as 1.
 function measure(data) {
   data.low = [Infinity, Infinity, Infinity];
   data.high = [-Infinity, -Infinity, -Infinity];
@@ -60,7 +62,8 @@ function measure(data) {
   for (const kind in data.longest) data.longest[kind] ||= 1;
 }
 
-// Returns a point, or its velocity or acceleration at an instant, in space.
+// Returns the position, velocity or acceleration of a point, or a vector, at an instant: three
+// components, of which z is 0 in the plane.
 export function at(data, point, i, level = 'position') {
   const fixed = level === 'position' ? point.fixed : point.fixed && [0, 0, 0];
   return [0, 1, 2].map(axis => axis >= data.dimension ? 0

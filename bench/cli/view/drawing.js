@@ -1,10 +1,11 @@
 // The drawing of a mechanism: marks at its points, the same at all instants. Each has a layer, the
-// body whose colour it has, the points that it stands at, and its SVG in a view (View in picture.js).
+// body whose colour it has, the points that it stands at, and its SVG in a view (View in
+// picture.js).
 import {at, dot, length, minus, plus, scaled, unit} from './data.js';
 import {shape} from './shapes.js';
 
 export const layers = {plates: 0, rails: 1, links: 2, drivers: 3, joints: 4, points: 5};
-const pieces = 12;  // of an arc
+const pieces = 12;  // straight pieces of which an arc is drawn
 
 const line = (view, a, b) => `M${view.px(a)}L${view.px(b)}`;
 const glyph = (view, p, svg) => `<g transform="translate(${view.px(view.point(p))}) scale(${view.unit})">${svg}</g>`;
@@ -14,8 +15,8 @@ const pivot = '<g stroke="var(--soft)" stroke-width="1.5"><path d="M0 0L-11 17H1
     '<path d="M-17 17H17M-13 17l-5 7M-6 17l-5 7M1 17l-5 7M8 17l-5 7M15 17l-5 7"/></g>';
 const symbols = {fixed: `<path d="M-5 -5H5V5H-5Z" ${outlined}/>`, spherical: '<circle r="7" fill="var(--ink)"/>'};
 
-// Returns a line from one point to another, of a width [px] in the colour of a body. In space it has a
-// margin, which shows what is in front of what.
+// Returns a line from one point to another, of a width [px] in the colour of a body. In space it
+// has a margin, which shows what is in front of what.
 function link(body, p, q, width) {
   return {layer: layers.links, body, at: [p, q], svg: view => {
     const path = `<path d="${line(view, view.point(p), view.point(q))}"`;
@@ -24,7 +25,7 @@ function link(body, p, q, width) {
   }};
 }
 
-// Returns a bar about a point along a direction: half its length, and its width [px].
+// Returns a bar whose middle is a point, along a direction. half: half its length [px]; width [px].
 function bar(view, p, along, half, width, colour) {
   const ends = [-half, half].map(px => plus(view.point(p), px * view.length, along));
   return `<path d="${line(view, ...ends)}" stroke="${colour}" stroke-width="${view.wide(width)}" stroke-linecap="butt"/>`;
@@ -43,7 +44,7 @@ function body_marks(data) {
 function joint_marks(data, joint) {
   const grounded = joint.bodies.includes(0), {in_plane} = data.joint_forms[joint.type];
   if (joint.vectors.length > 0 && joint.points.length === 2 && !in_plane) return slider_marks(data, joint, grounded);
-  const p = joint.points[in_plane ? 1 : 0];  // the one that moves in the plane, or the first
+  const p = joint.points[in_plane ? 1 : 0];  // the point that moves in the plane, or the first
   if (p === undefined) return [];
   const marks = [];
   if (grounded && !in_plane) marks.push({layer: layers.rails, body: 0, at: [p], svg: view => glyph(view, p, pivot)});
@@ -55,16 +56,17 @@ function joint_marks(data, joint) {
   return marks;
 }
 
-// Returns how far a point slides from another one along an axis, over the whole motion.
+// Returns the least and the greatest distance of a point from another one along an axis, over all
+// instants; 0 counts among the distances.
 function reach(data, origin, axis, slider) {
   const ways = data.times.map((_, i) => dot(
       minus(at(data, data.points[slider], i), at(data, data.points[origin], i)), at(data, data.vectors[axis], i)));
   return ways.reduce(([low, high], way) => [Math.min(low, way), Math.max(high, way)], [0, 0]);
 }
 
-// A rail along the axis and a block that slides on it, with sleepers on the ground; or, where neither
-// body need have another point, a rod in a sleeve. A joint whose axis is of the first body alone has its
-// rail there.
+// Returns a rail along the axis and a block that slides on it. A rail of the ground has sleepers; a
+// joint whose axis belongs to the first body alone has its rail there. Where both bodies move and
+// share the axis, returns a rod in a sleeve: neither body need have another point.
 function slider_marks(data, joint, grounded) {
   const [origin, last] = joint.points, [axis] = joint.vectors, [first_body, last_body] = joint.bodies;
   const [low, high] = reach(data, origin, axis, last);
@@ -93,7 +95,7 @@ function slider_marks(data, joint, grounded) {
 
 // ---- drivers ----
 
-// Returns a direction turned towards another by a fraction of the angle between them.
+// Returns a unit vector turned towards another by a fraction of the angle between them.
 function turned(from, to, fraction) {
   const along = dot(from, to), across = plus(to, -along, from), sine = length(across);
   const side = sine > 1e-9 ? scaled(across, 1 / sine) : [-from[1], from[0], 0];
@@ -101,14 +103,16 @@ function turned(from, to, fraction) {
   return plus(scaled(from, Math.cos(angle)), Math.sin(angle), side);
 }
 
-// Returns the point at which the angle of a direction is drawn; none where nothing carries it.
+// Returns the point at which the angle of a direction is drawn; undefined where no joint or body
+// that has the direction has a point.
 function vertex(data, {from, vector}) {
   if (from !== undefined) return from;
   const has = ({vectors, points}) => vectors.includes(vector) && points.length > 0;
   return (data.joints.find(has) ?? data.bodies.find(has))?.points[0];
 }
 
-// An arc from where the angle is 0, or an arrow along what is driven.
+// Returns an arc from where a driven angle is 0, or an arrow along a driven length; null for an
+// angle without a vertex.
 function driver_mark(data, {type, of, from, opposite, point, axis}) {
   const mark = (points, path, where) => ({layer: layers.drivers, body: 0, at: points, svg: view =>
     `<path d="${path(view)}" stroke="var(--driver)" stroke-width="${view.wide(2.5)}" marker-${where}="url(#driver)"/>`});
@@ -147,7 +151,8 @@ export function draw(data) {
   ].sort((a, b) => a.layer - b.layer);
 }
 
-// Returns the median length of bodies; glyphs are smaller where it is.
+// Returns the median of the bodies' longest edges at the first instant (Camera.usual_length); the
+// size of the mechanism where no body has edges.
 export function usual_length(data) {
   const lengths = data.bodies.filter(({edges}) => edges.length > 0).map(({edges}) => Math.max(...edges.map(
       ([p, q]) => length(minus(at(data, data.points[p], 0), at(data, data.points[q], 0)))))).sort((a, b) => a - b);

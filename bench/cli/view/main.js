@@ -1,12 +1,14 @@
 // The page: data, picture, player and plots, and what is chosen in them.
 //
 // For tests and the curious, window.desmo reads what is shown:
-//   desmo.instants     how many there are; desmo.time(k) and desmo.index(k) of each
-//   desmo.size         the diagonal of the box of all positions
-//   desmo.show(k)      goes to one
-//   desmo.positions()  of each point, as the picture has it now
-//   desmo.places()     of each point, in pixels of the picture
-//   desmo.values(k)    of each line, as the plots have it
+//   desmo.instants     number of instants on the page; k counts them from 0
+//   desmo.time(k)      time of an instant [s]
+//   desmo.index(k)     index of an instant in the scene's grid
+//   desmo.size         diagonal of the box of all positions
+//   desmo.show(k)      shows an instant
+//   desmo.positions()  position of each point by name, as the picture shows it now
+//   desmo.places()     place of each point by name, in pixels of the picture
+//   desmo.values(k)    value of each plotted line by name at an instant
 import {at, length, minus, read} from './data.js';
 import {Picture} from './picture.js';
 import {Player} from './player.js';
@@ -14,9 +16,9 @@ import {choice, Plots} from './plots.js';
 import {connectSaving} from './save.js';
 
 const get = id => document.getElementById(id);
-const near = 16;  // px
-const few = 20;  // points whose names are shown to begin with
-const most_traced = 8;
+const near = 16;  // distance of the pointer from a point [px] below which it points at it
+const few = 20;  // number of points (≤) whose names are shown to begin with
+const most_traced = 8;  // number of points whose paths are shown to begin with (≤)
 
 // ---- hints ----
 
@@ -30,7 +32,7 @@ function hint(text, event) {
   box.style.top = `${window.scrollY + event.clientY + 14}px`;
 }
 
-// Returns what stands at a point, for people.
+// Returns a point's name, bodies and joints, for people.
 function describe(data, p) {
   const {name, bodies, joints} = data.points[p];
   return [
@@ -39,7 +41,7 @@ function describe(data, p) {
   ].join('\n');
 }
 
-// Returns what is under the pointer: the nearest point, or else a body.
+// Returns a description of what is under the pointer: the nearest point, else a body; '' for none.
 function under(data, picture, event) {
   const box = get('stage').getBoundingClientRect();
   let best = {way: near};
@@ -78,7 +80,8 @@ function connectTraces(data, picture) {
   }
 }
 
-// Returns the moving point, of the last group where it has some, that goes farthest.
+// Returns the moving point with the longest path, among those of the last group where it has some;
+// undefined where nothing moves.
 function farthest(data, moving) {
   const step = Math.max(1, data.shown >> 6);
   const way = p => {
@@ -135,7 +138,7 @@ function when(data, flag) {
   return from === to ? `t = ${from}` : `t = ${from} … ${to}`;
 }
 
-// Lists what is flagged, and when. Why stands in the notice of that time.
+// Lists what is flagged, and when. The notice at that time says why (watch()).
 function writeFlags(data, player) {
   get('flagged').hidden = data.flags.length === 0;
   for (const flag of data.flags) {
@@ -188,7 +191,8 @@ function watch(data, picture, player) {
   });
 }
 
-// The points that a point, a vector or a coordinate of that name concerns.
+// Returns the point of a name, or the points of a joint that has the vector of that name; none for
+// any other name.
 function points_of(data, name) {
   const p = data.points.findIndex(point => point.name === name);
   if (p >= 0) return [p];

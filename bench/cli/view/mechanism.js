@@ -1,10 +1,10 @@
-// The mechanism of the page, from its file (cases/files.md): names become places in lists.
+// The mechanism of the page, from its file (cases/files.md): names become indices in lists.
 import {at, dot, minus} from './data.js';
 
 const places = list => new Map(list.map(({name}, k) => [name, k]));
 
-// Returns the names of points or vectors that a body lists, with their places where it has a frame of
-// its own.
+// Returns the names of points or vectors that a body lists: in an array or, where the body has a
+// frame of its own, as the keys of their places in it.
 const listed = names => Array.isArray(names) ? names : Object.keys(names);
 
 // Returns the structural group of each body, −1 for the ground and what is fixed to it.
@@ -51,7 +51,7 @@ export function interpret(data) {
   data.mechanism = file.name;
 }
 
-// The bodies that carry both ends of a segment whose angle is driven.
+// Returns the bodies that carry both ends of a segment whose angle is driven, the ground excepted.
 function driven_bodies(data) {
   const ends = data.drivers.filter(d => d.type === 'angle' && d.of.from !== undefined).map(d => [d.of.from, d.of.to]);
   return new Set(data.bodies.map((_, b) => b).filter(
@@ -82,8 +82,9 @@ function four_bar_loops(data) {
   return loops;
 }
 
-// Adds a column for the transmission angle of each planar loop of four revolute joints, and of no
-// other loop: between coupler and follower, 0 to half a turn. A quarter transmits best.
+// Adds a column for the transmission angle of each of four_bar_loops(), and of no other loop. It is
+// the angle between coupler and follower, from 0 to half a turn; a quarter of a turn transmits
+// best.
 export function add_transmission(data) {
   const {name: unit, radian} = data.angle_unit;
   data.transmission = four_bar_loops(data).map(({bodies, b, c, d}) => {

@@ -16,7 +16,8 @@ const shades = {
 const height = 120;
 const soft = 'rgba(128,128,128,0.25)';
 
-// Rows of a table: x and the values of each column; none at a hole, so that lines end there.
+// Returns the rows of a table: x and the finite values of each column. Before a hole's end it has a
+// row of x alone, at which lines are interrupted.
 function rows(data, columns, x) {
   const result = [];
   for (let k = 0; k < data.shown; ++k) {
@@ -40,7 +41,7 @@ function axis(orient, scale, title, log) {
   };
 }
 
-// Returns a specification of lines over x; flags are shaded where x is the time.
+// Returns Vega's specification of lines over x; flagged intervals are shaded where x is the time.
 function specification(data, columns, {x, x_title, y_title, log, over_time, width, zero}) {
   const table = rows(data, columns, x);
   const values = columns.map((_, j) => ({data: 'table', field: `y${j}`}));
@@ -80,7 +81,7 @@ function specification(data, columns, {x, x_title, y_title, log, over_time, widt
     ],
     scales: [x_scale, {
       name: 'y', type: log ? 'log' : 'linear', range: 'height', nice: true, zero: !!zero,
-      ...(lowest === Infinity ? {domain: [1e-16, 1]}  // there is no line
+      ...(lowest === Infinity ? {domain: [1e-16, 1]}  // no value can be drawn
           : {domain: {fields: values}, ...(log ? {domainMin: lowest} : {})}),
     }],
     axes: [axis('bottom', 'x', x_title), axis('left', 'y', y_title, log)],
@@ -134,7 +135,7 @@ export class Panel {
     this.show(this.player.instant, this.player.time);
   }
 
-  // Takes the reader's finger or mouse to the time under it.
+  // Lets the reader go to the time under a pressed mouse button or finger.
   #steer() {
     if (this.steered) return;
     this.steered = true;
@@ -158,7 +159,7 @@ export class Panel {
     this.cursor.style.transform = `translate(${this.offset[0] + 2 + x}px, ${this.offset[1] + 4 + y}px)`;
   }
 
-  // Returns the values at an instant, by column, as the plot has them.
+  // Returns the values at an instant by the names of columns, as the plot has them.
   values(instant) {
     const row = this.view.data('table').find(r => r.k === instant);
     return Object.fromEntries(this.columns.map((c, j) => [this.data.columns[c].name, row[`y${j}`]]));

@@ -1,10 +1,10 @@
-// The picture of a mechanism, in SVG: its drawing, seen by a camera, and what the reader adds. The
-// picture is a text, made anew for each instant; so it can be saved.
+// The picture of a mechanism: its drawing, seen by a camera, with what the reader chooses (traces,
+// names, arrows). It is SVG as text, made anew for each instant, and can be saved as a file.
 import {Camera} from './camera.js';
 import {at, plus} from './data.js';
 import {draw, layers, usual_length} from './drawing.js';
 
-const arrow = 90;  // px, of the largest rate
+const arrow = 90;  // length of the arrow of the largest rate [px], where seen at right angles
 const rates = {velocity: 'var(--speed)', acceleration: 'var(--pull)'};
 const number = x => Math.round(100 * x) / 100;
 const escaped = text => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
@@ -14,18 +14,18 @@ const heads = Object.entries({...rates, driver: 'var(--driver)'}).map(([name, co
     `<marker id="${name}" viewBox="-9 -5 11 10" refX="2" markerWidth="4.4" markerHeight="4" orient="auto">` +
     `<path d="M2 0L-9 5V-5Z" fill="${colour}"/></marker>`).join('');
 
-// Returns 1, 2 or 5 times a power of ten: the largest that is not above x.
+// Returns the largest number that is not above x and is 1, 2 or 5 times a power of ten.
 function round_below(x) {
   const power = 10 ** Math.floor(Math.log10(x));
   return power * (x < 2 * power ? 1 : x < 5 * power ? 2 : 5);
 }
 
-// What marks need to place themselves at an instant.
+// The mechanism at an instant, as the camera sees it: what marks need to write their SVG.
 class View {
   constructor({camera, data, colours}, instant) {
     Object.assign(this, {camera, data, instant, colour: data.colour[colours]});
-    this.unit = camera.unit;  // size of glyphs
-    this.length = camera.unit / camera.scale;  // of a pixel of a glyph, in the mechanism
+    this.unit = camera.unit;  // size of glyphs, 1 as a rule
+    this.length = camera.unit / camera.scale;  // a glyph's pixel, in the mechanism's unit of length
     this.points = data.points.map(point => at(data, point, instant));
   }
   point(p) { return this.points[p]; }
@@ -43,10 +43,11 @@ export class Picture {
     this.camera.fit();
   }
 
-  // Returns the place of a point [px].
+  // Returns the place of a point in the picture [px].
   screen(p) { return this.camera.project(at(this.data, this.data.points[p], this.instant)).slice(0, 2); }
 
-  // Returns positions of all points as the picture has them, seen from above and from the front.
+  // Returns the positions of all points, read from the picture as it is drawn from above and, in
+  // space, from the front.
   positions() {
     const {camera, data} = this, kept = {...camera};
     const views = data.dimension === 2 ? [Math.PI / 2] : [Math.PI / 2, 0];
@@ -66,11 +67,12 @@ export class Picture {
 
   // ---- what there is ----
 
-  // Returns the marks in their places, in space from the back to the front: a link is as near as its
-  // middle, and what stands on links is in front of them.
+  // Returns the SVG of all marks, in space from the back to the front: a mark is as near as the
+  // mean of its points, and a joint, driver or point is no farther than the links and plates at its
+  // points.
   #drawn(view) {
     const {camera} = this;
-    const links = new Map();  // the nearest at each point
+    const links = new Map();  // by point: nearness of the nearest plate, rail or link there
     const marks = this.marks.map(({layer, body, at: points, svg}) => {
       let near = 0;
       if (camera.spatial) {
@@ -103,7 +105,7 @@ export class Picture {
 
   #rates() { return Object.keys(rates).filter(kind => this.shown[kind]); }
 
-  // Arrows of rates, as long as 90 px for the largest.
+  // Returns the arrows of velocities or accelerations; that of the largest is `arrow` long.
   #arrows(view, kind) {
     const {data, camera} = this, length = arrow / camera.scale / data.longest[kind];
     return data.points.map((point, p) => {
@@ -114,7 +116,7 @@ export class Picture {
     }).join('\n');
   }
 
-  // A grid below a spatial mechanism, level with the ground's frame.
+  // Returns a grid below a spatial mechanism, in a plane of constant z; '' for a plane mechanism.
   #grid(view) {
     const {data, camera} = this;
     if (!camera.spatial) return '';
@@ -125,7 +127,8 @@ export class Picture {
     return `<path d="${path}" stroke="var(--line)"/>`;
   }
 
-  // In the corners: the axes of the ground's frame; how long lengths and arrows are.
+  // Returns what stands in the corners: the axes of the ground's frame, and scales of lengths and
+  // arrows.
   #scales(width, height) {
     const {data, camera} = this;
     const axes = ['x', 'y', 'z'].slice(0, data.dimension).map((name, axis) => {
@@ -133,7 +136,7 @@ export class Picture {
       return `<path d="M36 ${height - 36}l${number(22 * x)} ${number(22 * y)}" stroke="var(--soft)" stroke-width="1.5"/>` +
           text(36 + 31 * x, height - 32 + 31 * y, name, 'var(--soft)', 'middle');
     });
-    // A bar of a round length, whose end is at x.
+    // Returns a bar of a round length that ends at x. scale: pixels for each unit.
     const bar = (scale, x, y, kind, unit, colour, path) => {
       const long = round_below(width / 5 / scale), left = number(x - long * scale);
       return `<path d="${path(left)}" stroke="${colour}" stroke-width="2"${kind && ` marker-end="url(#${kind})"`}/>` +
@@ -148,7 +151,7 @@ export class Picture {
                                     left => `M${left} ${low - 5}v5H${right}v-5`)].join('\n');
   }
 
-  // What moves with the mechanism.
+  // Returns the part of the picture that changes from instant to instant.
   #moving() {
     const view = new View(this, this.instant);
     const rings = this.open.map(p => `<circle class="open" r="13" stroke="var(--alarm)" stroke-width="2" ` +
@@ -168,7 +171,8 @@ export class Picture {
     ].join('\n');
   }
 
-  // Returns the picture as a file has it: with a ground, in the colours of light surroundings.
+  // Returns the picture as the text of an SVG file: with a background, in the colours of a light
+  // page.
   file() {
     const light = document.styleSheets[0].cssRules[0].style;
     return this.svg().replace('\n', '\n<rect width="100%" height="100%" fill="var(--stage)"/>\n')
@@ -203,6 +207,7 @@ export class Picture {
     this.draw();
   }
 
-  // Marks points whose constraint does not close; stuck: the position is not that of this time.
+  // Marks points of a constraint that does not close, when the picture is drawn next. stuck: the
+  // position shown is not that of the current time.
   mark(points, stuck) { Object.assign(this, {open: points, stuck}); }
 }

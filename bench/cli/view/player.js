@@ -1,7 +1,8 @@
-// Time: play, pause, slider, speed and keys. Whoever shows something is told the instant.
+// The time shown, and its controls: play, pause, slider, speed and keys. Functions given to
+// onShow() are told the instant.
 
 const speeds = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 1000];
-const usual = 6;  // seconds in which a motion is shown
+const usual = 6;  // time in which the first speed shows a whole motion, about [s]
 const get = id => document.getElementById(id);
 
 export class Player {
@@ -25,10 +26,11 @@ export class Player {
     this.#connect();
   }
 
-  // Calls a function with (instant, time, moved) whenever something else is to be shown.
+  // Lets a function be called with (instant, time) whenever the picture is to be drawn anew.
   onShow(show) { this.#shown.push(show); }
 
-  // Returns the last instant that is not after a time by more than half an interval.
+  // Returns the last instant on the page that is at most half an interval of the page after a time;
+  // in a gap, the last one before it.
   at(time) {
     const {times} = this.#data;
     const half = this.#data.time.interval * this.#data.time.stride / 2;
@@ -38,7 +40,7 @@ export class Player {
       if (times[middle] <= time + half) low = middle;
       else high = middle - 1;
     }
-    // In a gap: the last instant before it.
+    // The instant found may be the one after a gap.
     return low > 0 && times[low] > time && times[low] - times[low - 1] > 2.5 * half ? low - 1 : low;
   }
 
@@ -81,7 +83,8 @@ export class Player {
     requestAnimationFrame(later => this.#frame(later));
   }
 
-  // Leaves times alone that are no instants: from a gap the next step leads out of it.
+  // Goes on by a number of instants on the page. From a time after its instant, as in a gap, the
+  // first step back leads to that instant.
   #step(by) {
     this.toggle(false);
     const {times} = this.#data;

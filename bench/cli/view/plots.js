@@ -1,7 +1,7 @@
 // Plots over time, and what is chosen in them.
 import {Panel} from './panel.js';
 
-// Returns a box to check, with a text; changed: called with whether it is checked.
+// Returns a check box with a text; changed: called with whether the box is checked.
 export function choice(text, checked, changed) {
   const label = document.createElement('label'), box = document.createElement('input');
   box.type = 'checkbox';
@@ -19,7 +19,8 @@ function selection(label, columns, data, chosen, changed) {
   return select;
 }
 
-const most_chosen = 4, most_requested = 8;  // of what is plotted to begin with
+// Largest numbers of quantities plotted to begin with, without and with a request of the scene.
+const most_chosen = 4, most_requested = 8;
 
 export class Plots {
   constructor(data, player, hint) {
@@ -30,7 +31,7 @@ export class Plots {
     player.onShow((instant, time) => {
       for (const panel of this.panels) panel.show(instant, time);
     });
-    for (const place of this.places) {  // a folded one has no width
+    for (const place of this.places) {  // a folded place has width 0
       let width = place.clientWidth;
       new ResizeObserver(() => {
         if (place.clientWidth === 0 || Math.abs(place.clientWidth - width) < 2) return;
@@ -40,7 +41,8 @@ export class Plots {
     }
   }
 
-  // Columns of positions, each with those of its rates after it.
+  // Chooses what is plotted to begin with: columns of positions (`plain`), the levels of which
+  // rates are shown, and the axes of the plot of an output against a driver.
   #chooseFirst() {
     const {data} = this;
     this.plain = data.plotted.filter(c => data.columns[c].level === 0);
@@ -79,7 +81,7 @@ export class Plots {
     }
   }
 
-  // The same quantity at a level, or nothing.
+  // Returns the plotted column of the same quantity at a level; undefined where there is none.
   #atLevel(c, level) {
     const {columns, plotted} = this.data;
     const {name, quantity} = columns[c], prefix = ['', 'd/dt ', 'd2/dt2 '][level];

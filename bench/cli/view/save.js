@@ -1,4 +1,4 @@
-// What the reader can take along: the picture as SVG, and the numbers as CSV.
+// Files that the reader can save: the picture as SVG, and the numbers as CSV.
 
 function save(name, type, text) {
   const link = document.createElement('a');
@@ -10,7 +10,7 @@ function save(name, type, text) {
 
 const cell = text => /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 
-// Returns all instants of the page: the time, and every column, as the page has them.
+// Returns the CSV of all instants of the page: the time with 15 digits, and every column with 8.
 function csv(data) {
   const columns = data.columns.filter(({name}) => name);
   const digits = (x, count) => Number.isFinite(x) ? String(Number(x.toPrecision(count))) : '';

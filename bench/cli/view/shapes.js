@@ -1,11 +1,12 @@
-// What bodies look like: links between their points, and plates where points span a plane.
+// The shapes of bodies: links between their points, and plates where all points lie in a plane.
 import {at, dot, length, minus} from './data.js';
 
 const cross = (a, b) => [
   a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0],
 ];
 
-// Returns two directions that span the plane of the points; nothing where there is no plane.
+// Returns two unit vectors that span the plane of the points; null where they coincide, lie on a
+// line or lie in no plane, to about a thousandth or a hundredth of their distances.
 function plane(points, size) {
   const ways = points.slice(1).map(p => minus(p, points[0]));
   const u = ways.reduce((a, b) => length(b) > length(a) ? b : a);
@@ -18,7 +19,8 @@ function plane(points, size) {
   return {u: u.map(x => x / length(u)), v: v.map(x => x / length(v))};
 }
 
-// Returns the convex hull of points of a plane, as positions in the list, by Andrew's chains.
+// Returns the convex hull of points of a plane, as indices of the list, by Andrew's monotone
+// chains.
 function hull(flat) {
   const order = flat.map((_, i) => i).sort((i, k) => flat[i][0] - flat[k][0] || flat[i][1] - flat[k][1]);
   const turn = (o, a, b) => (flat[a][0] - flat[o][0]) * (flat[b][1] - flat[o][1]) -
@@ -34,7 +36,7 @@ function hull(flat) {
   return [...chain(order), ...chain(order.toReversed())];
 }
 
-// Returns edges of the shortest tree that holds all points together.
+// Returns the edges by which the shortest tree joins all other points to those of `from`.
 function tree(points, from) {
   const edges = [], joined = new Set(from);
   while (joined.size < points.length) {
@@ -52,7 +54,7 @@ function tree(points, from) {
   return edges;
 }
 
-// Returns edges and plate of a body, as points of the mechanism.
+// Returns the edges and the plate of a body, as indices of the mechanism's points.
 export function shape(data, body) {
   const named = list => list.map(i => body.points[i]);
   const points = body.points.map(p => at(data, data.points[p], 0));
