@@ -8,14 +8,13 @@
 
 namespace desmo::cli {
 
-/// Returns of each point whether a body carries it; the model knows no others.
+/// Returns for each point whether a body carries it; the model has no other points.
 std::vector<bool> carried_points(const Mechanism& mechanism);
 
-/// Returns of each vector whether it is drawn: those of joints and of driven coordinates are.
+/// Returns for each vector whether it is drawn: those of joints and of driven coordinates are.
 std::vector<bool> drawn_vectors(const Mechanism& mechanism);
 
-/// Returns how many numbers an instant has for what is drawn: no less than 1, and no more than
-/// this.
+/// Returns an upper bound, 1 or more, on the numbers that an instant needs for what is drawn.
 std::size_t drawn_numbers(const Mechanism& mechanism);
 
 }  // namespace desmo::cli

@@ -44,7 +44,7 @@ Flow MotionRecorder::observe(const Instant&) noexcept {
 void MotionRecorder::record(const CheckedInstant& checked) {
   const Instant& instant = checked.instant;
   checked.for_each_flag([&](const RowFlag& f) { flag(f, instant.index); });
-  if (checked.is_on_point()) return;  // it has no rates
+  if (checked.is_on_point()) return;  // an instant on a change point has no rates
   const auto n = static_cast<std::size_t>(model_.coordinates());
   for (const std::span<const double> values : {instant.q, instant.qd, instant.qdd})
     overflowed_ = overflowed_ ||
@@ -53,7 +53,7 @@ void MotionRecorder::record(const CheckedInstant& checked) {
   ++solved_;
   condition_ = std::max(condition_, checked.condition);
   for (const Level level : all_levels)
-    if (std::isfinite(checked.relative_radius[level]))  // else a flag says so
+    if (std::isfinite(checked.relative_radius[level]))  // else some coordinate has no proof
       radius_[level] = std::fmax(radius_[level], checked.relative_radius[level]);
   keep({instant.index, state_of(instant), condition_, radius_});
 }
@@ -68,7 +68,8 @@ std::vector<double> MotionRecorder::state_of(const Instant& instant) {
   return state;
 }
 
-/// Keeps every instant of the stride; holds the others until the next one comes.
+/// Keeps every instant of the stride. Holds any other until the next one shows whether it is the
+/// last one before a gap, which is kept, too.
 void MotionRecorder::keep(RecordedInstant instant) {
   if (!passed_.empty() && passed_.back().index + 1 < instant.index)  // the last one before a gap
     instants_.push_back(std::move(passed_.back()));
@@ -83,7 +84,8 @@ void MotionRecorder::keep(RecordedInstant instant) {
   if (instants_.size() > max_kept_) drop_every_second();
 }
 
-/// Doubles the stride. What is left out hands its condition and radii to the next one kept.
+/// Doubles the stride. Drops all instants off it, except before gaps longer than the new stride. An
+/// instant dropped hands its condition number and radii to the next one kept.
 void MotionRecorder::drop_every_second() {
   stride_ *= 2;
   std::vector<RecordedInstant> kept;
@@ -102,7 +104,7 @@ void MotionRecorder::drop_every_second() {
   instants_ = std::move(kept);
 }
 
-/// Flags an interval; one that lasts grows with the row.
+/// Flags the interval of a row, or lengthens that of the row before where it has the same flag.
 void MotionRecorder::flag(const RowFlag& f, int index) {
   const bool passes = f.is_of_change_point();
   const Flag::Kind kind = passes                            ? Flag::Kind::crossing

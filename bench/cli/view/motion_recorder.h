@@ -15,31 +15,33 @@ namespace desmo::cli {
 
 /// An instant that is kept.
 struct RecordedInstant {
-  int index;                  ///< in the grid
+  int index;                  ///< index in the grid
   std::vector<double> state;  ///< q, q̇, q̈, each of all coordinates, then of the measures
-  double condition;           ///< largest since the instant kept before
-  PerLevel<double> radius;    ///< largest over its scale (CheckedInstant); NaN: none is proven
+  double condition;           ///< largest condition number since the instant kept before
+  PerLevel<double> radius;    ///< largest relative radius since then; NaN: none was proven
 };
 
 /// An interval that is flagged, and why.
 struct Flag {
   enum class Kind { unproven, misfit, failed, crossing, branch };
   Kind kind;
-  double from, to;  ///< [s]
+  double from, to;  ///< first and last time of the interval [s]
   std::string text;
   std::vector<EntityId> open{};  ///< entities of the constraint that does not close
 };
 
-/// An observer that keeps every n-th instant, and the last one of every interval without gaps. When
-/// more than `max_kept` are kept, it doubles n and drops the others.
+/// An observer that keeps every n-th instant, and the last one before every gap and the end. When
+/// more than `max_kept`, at least 4, are kept, it doubles n and drops the others. Gaps shorter than
+/// n instants are then no longer shown.
 class MotionRecorder final : public Observer {
  public:
-  /// progress: null where none is shown.
+  /// max_kept: number of instants to keep, those before gaps and the end not counted. progress:
+  /// null where none is shown.
   MotionRecorder(const Model& model, Measures& measures, const DisplayUnits& units,
                  const TimeGrid& grid, std::size_t max_kept, bench::Progress* progress);
 
   /// Runs the formulation over the motion, and past intervals that cannot be assembled. Where no
-  /// instant can be solved, the initial estimate is kept, at rest.
+  /// instant is kept, keeps the initial estimate, at rest.
   CheckedSummary run(Formulation& formulation);
 
   Flow observe(const Instant& instant) noexcept override;
@@ -60,20 +62,21 @@ class MotionRecorder final : public Observer {
   void flag(const RowFlag& flag, int index);
   void flag_failures(const CheckedSummary& summary);
 
-  /// A flag that grows if the next row has it, too.
+  /// A flag whose interval grows if the next row has the same flag.
   struct Lasting {
-    int last_row;
-    std::size_t place;  // among the flags
+    int last_row;       // index in the grid of the last row that has it
+    std::size_t place;  // index in flags_
     GroupId group;
   };
 
   const Model& model_;
   Measures& measures_;
-  const DisplayUnits& units_;  // of messages
+  const DisplayUnits& units_;  // units of the flags' texts
   const TimeGrid grid_;
   const std::size_t max_kept_;
   bench::Progress* progress_;
-  std::vector<RecordedInstant> instants_, passed_;  // passed_: the last one, where it is not kept
+  // passed_: the last instant recorded, if it is not among instants_; else empty.
+  std::vector<RecordedInstant> instants_, passed_;
   std::vector<Flag> flags_;
   std::vector<Lasting> lasting_;
   int stride_ = 1;

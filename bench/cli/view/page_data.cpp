@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t max_plotted = 100'000;  // numbers that are plotted and not drawn
+constexpr std::size_t max_plotted = 100'000;  // largest number of values packed for plots alone (≤)
 
 constexpr const char* flag_names[] = {"unproven", "misfit", "failed", "crossing", "branch"};
 
@@ -29,7 +29,7 @@ std::string base64(const std::vector<float>& numbers) {
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   std::uint32_t bits = 0;
-  int waiting = 0;  // bits, of 6 that make a letter
+  int waiting = 0;  // number of low bits of `bits` not yet written; 6 make a letter
   const auto add = [&](std::uint32_t byte) {
     bits = bits << 8 | byte;
     for (waiting += 8; waiting >= 6; waiting -= 6) text += letters[bits >> (waiting - 6) & 63];
@@ -72,9 +72,9 @@ class Writer {
   }
 
  private:
-  /// Packs a column and returns its number. Numbers are stored relative to the one nearest to 0, so
-  /// that small motions far from the origin keep their digits; NaN is none, and an infinite one
-  /// stays. value: of an instant.
+  /// Packs a column and returns its index in columns_. Numbers are stored relative to the finite
+  /// one nearest to 0, so that small motions far from the origin keep their digits. NaN and
+  /// infinite numbers stay. value: returns the number of an instant.
   template <class Value>
   int pack(Json column, const Value& value) {
     std::vector<double> values;
@@ -91,13 +91,13 @@ class Writer {
 
   using Key = std::tuple<int, Level, std::string>;
 
-  /// Returns what a column is found by: its place in the state, as a component of a point may have
-  /// the name of a coordinate; or the name of a constant.
+  /// Returns the key by which a packed column is found: its index and level in the state, since a
+  /// component of a point may have the name of a coordinate; for a constant, its name.
   static Key key_of(const Column& column) {
     return {column.coordinate, column.level, column.coordinate < 0 ? column.name : ""};
   }
 
-  /// Packs a column of the state, unless it is packed already. Returns its number.
+  /// Packs a column of the state, unless it is packed already. Returns its index in columns_.
   int pack(const Column& column) {
     const int coordinate = column.coordinate;
     const auto [found, is_new] = packed_.try_emplace(key_of(column), columns_.size());
@@ -144,7 +144,8 @@ class Writer {
                                            {"own_vectors", form.own_vectors}};
   }
 
-  /// Writes where a point or vector is found: the first of its columns, one for each component.
+  /// Returns where a point or vector is found: at each level, the index of its first column, after
+  /// which those of its other components follow; or its fixed components.
   Json geometry(EntityId entity) {
     const Entity& e = m_.entities[entity];
     Json result = {{"name", e.name}};
@@ -189,7 +190,7 @@ class Writer {
 
   void write_plots() {
     std::vector<Output> outputs = outputs_of(scene_, m_);
-    outputs.resize(scene_.request.size());  // after them come those that measures read
+    outputs.resize(scene_.request.size());  // those after them are read by measures alone
     const bool requested = !scene_.asks_for_everything();
     json_["requested"] = requested;
     if (!requested) {

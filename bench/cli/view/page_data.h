@@ -8,10 +8,10 @@
 
 namespace desmo::cli {
 
-/// A motion that was solved, to be shown.
+/// A motion to be shown, as far as it was solved.
 struct ShownMotion {
   const Scene& scene;
-  const DisplayUnits& units;  ///< of the numbers that people read
+  const DisplayUnits& units;  ///< units of the numbers that people read
   const Model& model;
   const Measures& measures;
   const MotionRecorder& recording;
@@ -23,10 +23,10 @@ struct ShownMotion {
 inline constexpr double text_per_number = 16. / 3;
 
 /// Returns the data as page.html takes them: JSON, with the columns of numbers one after the other
-/// as base64 of floats of 32 bits. It has every `every`th of the recorded instants, and the last
-/// ones before gaps and the end. All numbers are in the scene's units and have seven digits; so
-/// have their differences. The scene's request is plotted, or else relative coordinates and points,
-/// as many as fit.
+/// as base64 of floats of 32 bits. It has the first of every `every` recorded instants, and the
+/// last ones before gaps and the end. All numbers are in motion.units; columns are rounded to seven
+/// digits, relative to their value nearest to 0. The scene's request is plotted or, where it asks
+/// for everything, relative coordinates and points; in either case as many as fit.
 std::string page_data(const ShownMotion& motion, int every);
 
 }  // namespace desmo::cli

@@ -20,10 +20,10 @@
 namespace desmo::cli {
 namespace {
 
-constexpr std::size_t max_page = 2'000'000;  // bytes
-constexpr std::size_t max_instants = 8192;   // kept in memory
-constexpr std::size_t min_instants = 16;     // or all; fewer show no motion
-constexpr double text_per_column = 180;      // bytes of a page without its numbers
+constexpr std::size_t max_page = 2'000'000;  // largest size of a page [bytes] (≤)
+constexpr std::size_t max_instants = 8192;   // largest number of instants kept in memory (≤)
+constexpr std::size_t min_instants = 16;  // smallest number of instants, or all; fewer show little
+constexpr double text_per_column = 180;   // bytes of a column in a page, its numbers excepted
 
 struct ViewOptions {
   std::string scene, output;
@@ -39,7 +39,7 @@ void require_page() {
         "or later and npm are installed and packages can be fetched");
 }
 
-/// Puts data in the place that the page has for them.
+/// Returns the page with data in place of its mark.
 std::string fill(const std::string& data) {
   constexpr std::string_view mark = "@DATA@";
   std::string page(page_template);
@@ -51,7 +51,8 @@ std::string fill(const std::string& data) {
                    std::to_string(model.coordinates()) + " coordinates; view a smaller one");
 }
 
-/// Returns how many instants of a mechanism a page has room for. Throws when they are too few.
+/// Returns the number of instants of a mechanism for which a page has room, by an estimate. Throws
+/// InputError when they are fewer than min_instants and than the scene has.
 std::size_t instants_that_fit(const Input& input, const Model& model) {
   const auto columns = static_cast<double>(drawn_numbers(input.scene.mechanism));
   const double bytes = static_cast<double>(max_page - page_template.size()) / columns;
@@ -61,7 +62,8 @@ std::size_t instants_that_fit(const Input& input, const Model& model) {
   return static_cast<std::size_t>(fitting);
 }
 
-/// Returns a page that is small enough: of every instant, or else of fewer.
+/// Returns a page of at most max_page bytes: of every recorded instant, or of every second, fourth
+/// … one. Throws InputError where even few are too many.
 std::string page_of(const ShownMotion& motion, const std::string& source) {
   for (int every = 1;; every *= 2) {
     std::string result = fill(page_data(motion, every));
