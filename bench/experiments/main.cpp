@@ -60,7 +60,7 @@ ExitCode run(int argc, char** argv) {
   const Experiment& experiment =
       has_name ? desmo::entry_named(first, all_experiments, "experiment") : all_experiments[0];
   keep_freed_memory();
-  desmo::set_blas_threads(1);  // the clock is the thread's own
+  desmo::set_blas_threads(1);  // Clock::cpu counts this thread alone
   return experiment.run({std::string(experiment.name),
                          command_line(argc, argv),
                          argv[0],

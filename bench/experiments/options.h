@@ -14,15 +14,15 @@ namespace desmo::bench {
 /// The arguments of an experiment.
 struct CommandLine {
   std::string experiment;
-  std::string text;                    ///< for the record: program, experiment and arguments
-  std::string program;                 ///< its path, as Google Benchmark wants it
+  std::string text;                    ///< program, experiment and arguments, for the record
+  std::string program;                 ///< path of the program, as Google Benchmark takes it
   std::vector<std::string> arguments;  ///< without program and experiment
 };
 
 /// Options that mean the same in every experiment that has them.
 struct CommonOptions {
   std::string record;   ///< file for the results record; empty: none
-  bool quick = false;   ///< a first look
+  bool quick = false;   ///< measure only what CommonHelp::quick says
   int repetitions = 0;  ///< samples of each time; 0: as many as the experiment takes by itself
   std::string filter;   ///< regular expression; empty: everything
 };
@@ -42,7 +42,8 @@ void add_common(CLI::App& parser, CommonOptions& options, const CommonHelp& help
 std::string refuse_not_positive(const std::string& text);
 
 /// Reads all arguments. Returns false after printing the help that was asked for. Throws
-/// std::invalid_argument for an argument that is unknown or unusable.
+/// std::invalid_argument for an argument that is unusable or, unless the parser allows extras,
+/// unknown.
 bool read(CLI::App& parser, const std::vector<std::string>& arguments);
 
 /// Begins the record of an experiment. Throws what RecordWriter throws.

@@ -25,12 +25,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr int compared_instants = 21;
 constexpr int usual_repetitions = 5, quick_repetitions = 2;
-constexpr double sample_seconds = 0.01;
-constexpr double long_motion_seconds = 0.3;  // a motion that takes longer has two samples only
+constexpr double sample_seconds = 0.01;      // least duration of a sample [s]
+constexpr double long_motion_seconds = 0.3;  // time of a motion [s] above which two samples do
 
 double rounded(double value) { return bench::rounded(value, 6); }
 
-/// Leaves out an error that is not finite, or none at all: JSON has no number for it.
+/// Returns the errors by level. Leaves out a level at which nothing was compared, or whose error is
+/// too large or not finite: JSON has no number for it.
 Json error_json(const SolutionError& error) {
   constexpr double max_error = 1e100;
   Json j = Json::object();
@@ -49,7 +50,7 @@ Json motion_json(const AccuracySeries& series) {
           {"instants", series.instants}};
 }
 
-/// Returns an entry of `floors` in the record: what is known of a problem apart from its trials.
+/// Returns an entry of `floors` in the record: what is known of a problem without its trials.
 Json floor_json(const AccuracySeries& series, const Problem& problem) {
   Json j = motion_json(series);
   j["compared"] = problem.reference.instants.size();

@@ -14,16 +14,16 @@ namespace desmo::accuracy {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double min_sample = 2e-3;  // s
-constexpr int dense_limit = 114;     // coordinates of a dense global solve, O(n³) a step
-// Ratios of times within which the slower of two may yet prove the faster:
+constexpr double min_sample = 2e-3;  // least duration of a sample [s]
+constexpr int dense_limit = 114;     // most coordinates (≤) of dense global solves, O(n³) a step
+// Ratios of times (≤) at which the slower of two may yet prove the faster:
 constexpr double max_ratio_of_formulations = 1.6;  // with other settings
 constexpr double max_ratio_of_samples = 1.5;       // with further samples
 constexpr double max_ratio_of_motions = 1.25;      // on the whole motion instead of its beginning
-constexpr std::size_t finalists = 16;
-constexpr std::size_t max_tried_on_whole = 100;  // the most accurate within a budget
+constexpr std::size_t finalists = 16;  // number of trials that are sampled anew and chosen from
+constexpr std::size_t max_tried_on_whole = 100;  // with a budget: most trials on the whole motion
 
-/// Settings that tell formulations apart: the paper's, and what usually costs least.
+/// Returns settings that tell formulations apart: the paper's, and those that usually cost least.
 std::vector<Settings> telling_settings() {
   return {Settings{},
           {.tolerance = 1e-8, .guess = Guess::adams8, .jacobian = JacobianUpdate::step}};
@@ -60,7 +60,8 @@ class Searcher {
     if (unsupported_reason(v, s).empty()) trials.emplace_back(problem, Configuration{&v, s});
   }
 
-  /// Returns those that some settings may make the best.
+  /// Returns the formulations that may be the fastest with some settings: with one of the telling
+  /// settings they are nearly as fast as the fastest.
   std::vector<const Variant*> formulations() {
     std::vector<const Variant*> all = options_.formulations, kept;
     if (all.empty())
@@ -94,7 +95,7 @@ class Searcher {
     return goal_.budget > 0 ? is_cheap(t.min_seconds()) : is_accurate(t);
   }
 
-  /// Returns the error in half decades: what rounding makes of it does not decide.
+  /// Returns the error in whole half decades, so that effects of rounding do not decide.
   double error_class(const Trial& t) const { return std::round(2 * std::log10(error(t))); }
 
   bool is_indistinct(const Trial& best, const Trial& other) const {
@@ -102,7 +103,7 @@ class Searcher {
            (goal_.budget == 0 || error_class(other) <= error_class(best));
   }
 
-  /// The best first, as far as their motion tells.
+  /// Sorts trials by time or, with a budget, by error class and then by time.
   void sort(std::vector<Trial*>& trials) const {
     const auto time = [](const Trial* t) { return t->min_seconds(); };
     std::ranges::stable_sort(trials, {}, time);
@@ -110,8 +111,8 @@ class Searcher {
       std::ranges::stable_sort(trials, {}, [&](const Trial* t) { return error_class(*t); });
   }
 
-  /// Samples the times that decide once more, in turn, and tries the best on the whole motion until
-  /// one holds the goal there.
+  /// Samples the times of the best trials again, in turn, and tries these on the whole motion,
+  /// until one meets the goal there.
   void decide(std::vector<Trial*> hopeful) {
     sample_again(hopeful);
     sort(hopeful);
@@ -132,7 +133,7 @@ class Searcher {
     }
   }
 
-  /// A sample that was disturbed must not keep anything out of the finals.
+  /// Samples the fastest trials twice more: one disturbed sample must not keep a trial out.
   void sample_again(const std::vector<Trial*>& hopeful) const {
     double best = infinity;
     for (const Trial* t : hopeful) best = std::min(best, t->min_seconds());
@@ -148,7 +149,8 @@ class Searcher {
     return trial;
   }
 
-  /// Tries on the whole motion: the most accurate on its beginning need not be so later.
+  /// Tries the first trials on the whole motion, since the most accurate on its beginning need not
+  /// be so later. Returns those that meet the goal there.
   std::vector<Trial*> tried_on_the_whole(const std::vector<Trial*>& hopeful,
                                          std::list<Trial>& trials) {
     std::vector<Trial*> kept;
@@ -159,8 +161,8 @@ class Searcher {
     return kept;
   }
 
-  /// Chooses among those of a batch, best first, that hold the goal on the whole motion: the first,
-  /// and what its beginning cannot tell from it.
+  /// Chooses from a batch, sorted best first. Candidates are the first trial that meets the goal on
+  /// the whole motion, and those that meet it and that is_indistinct() cannot tell from the first.
   void choose_on_whole(const std::vector<Trial*>& batch) {
     std::list<Trial> trials;
     std::vector<Trial*> holding;
@@ -204,7 +206,7 @@ class Searcher {
 
 TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid) {
   constexpr int first_instants = 101;
-  // All instants of most motions: those where the guess alone meets the tolerance may be rare.
+  // More than most motions have: instants at which the guess alone meets the tolerance may be rare.
   constexpr int compared = 1001;
   TimeGrid beginning = grid;
   beginning.instants = std::min(grid.instants, first_instants);

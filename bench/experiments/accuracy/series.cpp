@@ -18,9 +18,9 @@ namespace desmo::accuracy {
 
 namespace {
 
-constexpr double usual_step = 0.01;
-constexpr double seconds = 1;
-constexpr int dense_instants = 6;
+constexpr double usual_step = 0.01;  // time between instants [s]
+constexpr double seconds = 1;        // duration of the motion [s]
+constexpr int dense_instants = 6;    // number of instants for dense global solves
 
 /// Formulations with the full settings grid: global and by groups or blocks, automatic and
 /// generated, sparse and dense.
@@ -31,7 +31,8 @@ constexpr std::array<std::string_view, 11> tuned{
     "group_symbolic_explicit", "block_symbolic_explicit",
 };
 
-/// Tells whether it is one of the paper's analyses, by its own solver or by what stands in for it.
+/// Returns whether a variant is one of the paper's analyses, with the paper's solver or with one
+/// that stands in for it.
 bool is_in_table_2(const Variant& v) {
   if (v.partition == Partition::block) return false;
   if (v.is_generated()) return !v.is_explicit();
@@ -67,8 +68,8 @@ std::vector<Settings> usual_settings(const Variant& v, bool largest) {
   return all;
 }
 
-/// Adds some formulations with the settings of each, if the filter lets them through, to a series
-/// that has none yet, each id once. Adds the series unless it is empty.
+/// Adds to a series without configurations those formulations, each with the settings of its own,
+/// that the filter finds, no id twice. Then adds the series to `all` unless it is empty.
 void add(std::vector<AccuracySeries>& all, AccuracySeries series, const std::regex& filter,
          const auto& formulations, const auto& settings_of) {
   bench::CandidateName name{std::string(series.definition->name), series.coordinates, {}};

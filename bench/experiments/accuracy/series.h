@@ -12,8 +12,8 @@ namespace desmo::accuracy {
 struct AccuracySeries {
   const Case* definition;
   int coordinates;
-  double step;   ///< s
-  int instants;  ///< of the motion, from its beginning
+  double step;   ///< time between instants [s]
+  int instants;  ///< number of instants, from the motion's beginning
   std::vector<Configuration> configurations;
 };
 
@@ -22,11 +22,11 @@ struct AccuracySeries {
 ///   O(n³), with the minimal one and over fewer instants;
 /// - at the largest size of the tables, some formulations with the full grid, and those of the
 ///   paper's Table 2 with each tolerance and guess, and with each time step.
-/// In a quick run these are the formulations of the full grid at the smallest size, with the
-/// reduced one.
+/// In a quick run, only the formulations that otherwise have the full grid are measured, with the
+/// reduced grid at the smallest size.
 ///
-/// filter: only configurations in whose <case>/<coordinates>/<id> it is found; series with none are
-/// left out.
+/// filter: found in <case>/<coordinates>/<id> of each configuration returned; series without any
+/// are left out.
 std::vector<AccuracySeries> make_series(bool quick, const std::regex& filter);
 
 }  // namespace desmo::accuracy

@@ -12,9 +12,10 @@ namespace {
 constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
                              Guess::hermite3, Guess::hermite5, Guess::adams8};
 constexpr std::array strides{2, 4, 8, 16, 32};
-constexpr std::array reduced_strides{8, 16, 32};  // errors of three sizes that no closed form has
+constexpr std::array reduced_strides{8, 16, 32};  // errors of three sizes, of closed forms, too
 
-/// Returns where Newton's method stops: at a tolerance, or after a number of iterations.
+/// Returns settings that differ in where Newton's method stops: at a tolerance, or after a number
+/// of iterations.
 std::vector<Settings> stops() {
   std::vector<Settings> all;
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
@@ -30,8 +31,8 @@ void add_strides(std::vector<Settings>& all, Settings settings, std::span<const 
   }
 }
 
-/// Returns settings between whose instants others are interpolated: the paper's, and what usually
-/// costs least within an error that is less than the interpolation's.
+/// Returns settings for use with strides: the paper's, and those that usually cost least with an
+/// error below that of interpolation.
 std::vector<Settings> solved_from() {
   return {Settings{},
           {.tolerance = 1e-10, .guess = Guess::hermite5},

@@ -7,14 +7,14 @@
 
 namespace desmo::accuracy {
 
-/// Returns settings that end at errors of five sizes where all unknowns are solved at once: the
-/// paper's, and with one and two iterations a step from different guesses.
+/// Returns five settings, with errors of five sizes where all unknowns are solved at once: the
+/// paper's, one iteration a step from three guesses, and two iterations a step.
 std::vector<Settings> minimal_settings();
 
-/// Returns these, and three iterations, some tolerances, and instants interpolated between those
-/// that the paper's settings solve: they end at errors of four sizes or more in every formulation.
-/// (The minimal grid does not do: solved dyad by dyad, a long four-bar diverges with fewer than
-/// three iterations; and to closed forms nothing but interpolation makes a difference.)
+/// Returns the minimal settings, three iterations a step, some tolerances, and strides between
+/// whose instants the others are interpolated. They have errors of four sizes or more in every
+/// formulation. (The minimal grid does not: solved dyad by dyad, a long four-bar diverges with
+/// fewer than three iterations; and closed forms have other errors with strides alone.)
 std::vector<Settings> reduced_settings();
 
 /// Returns the full grid, which includes settings that the variant does not offer

@@ -8,18 +8,19 @@ namespace desmo::accuracy {
 
 using bench::Problem;
 
-/// A configuration tried on a problem that has a reference: how wrong it is, and what a step costs.
-/// It is verified once its error is known, whatever that is.
+/// A configuration tried on a problem that has a reference: its error, and the time of a step. It
+/// counts as verified when the motion was solved, whatever its error.
 class Trial final : public bench::FormulationCandidate {
  public:
-  /// The problem must outlive the trial, which is not run where its formulation does not offer the
-  /// settings.
+  /// The problem must outlive the trial. Refuses the trial (Refusal::Kind::not_run) where its
+  /// formulation does not offer the settings.
   Trial(const Problem& problem, const Configuration& configuration);
 
-  /// Takes a sample of a step's CPU time (see step_seconds). Nothing unless it is verified.
+  /// Takes a sample of a step's time by clock(), over at least `duration` [s] (see step_seconds).
+  /// Does nothing unless it is verified.
   void time(double duration);
 
-  SolutionError error;  ///< of the outputs asked for
+  SolutionError error;  ///< errors of the plan's outputs, or of everything where it has none
 
  private:
   Checked check(bench::VerifyingRun& found) override;
