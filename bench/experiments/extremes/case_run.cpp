@@ -21,19 +21,20 @@ namespace desmo::extremes {
 
 namespace {
 
-constexpr int max_dense = 400;          // unknowns: a step costs O(n³)
-constexpr int max_coordinates = 5'000;  // for all but the fastest formulations
-constexpr long max_instants = 100'000;  // instants, likewise
-/// Coordinates: every part keeps a workspace of some kilobytes, and blocks are more than groups.
+constexpr int max_dense = 400;          // coordinates of dense global solves (≤): O(n³) a step
+constexpr int max_coordinates = 5'000;  // coordinates of formulations that are not is_fast() (≤)
+constexpr long max_instants = 100'000;  // instants of these (≤), unless their algebra is eigen
+/// Coordinates of formulations by blocks (≤). Every part keeps a workspace of some kilobytes, and
+/// there are more blocks than groups.
 constexpr int max_in_blocks = 1'000'000;
 
-/// The formulations that do without a library's work on every small part.
+/// Returns whether a formulation calls no library for every small part.
 bool is_fast(const Variant& v) {
   return v.is_generated() || (v.partition == Partition::global && v.algebra == "klu");
 }
 
 /// Returns why a formulation is not tried on a case that has a model, in a sentence without a full
-/// stop; empty: it is.
+/// stop; empty: it is tried.
 std::string unsupported(const Configuration& configuration, const KnownCase& known) {
   const Variant& v = *configuration.variant;
   if (std::string why = unsupported_reason(v, configuration.settings); !why.empty()) return why;
@@ -49,6 +50,7 @@ std::string unsupported(const Configuration& configuration, const KnownCase& kno
   return {};
 }
 
+/// Removes the whole turns by which angles of q differ from those of `right`.
 void turn_back(const Model& m, std::span<const double> right, std::vector<double>& q) {
   constexpr double turn = 2 * std::numbers::pi;
   for (const Entity& e : m.entities)
@@ -56,9 +58,10 @@ void turn_back(const Model& m, std::span<const double> right, std::vector<double
       q[e.first] -= turn * std::nearbyint((q[e.first] - right[e.first]) / turn);
 }
 
-/// Returns how wrong an instant is, in those of the case's answers, at that of the compared
-/// instants; an answer is known. Whole turns of angles count for nothing where an estimate alone
-/// says which is meant.
+/// Returns the relative errors of an instant. Whole turns of angles are no errors where an estimate
+/// alone says which turn is meant: from a start, and after a gap.
+/// - of: index in KnownCase::answers
+/// - next: index in KnownCase::compared; the answer there must be known
 PerLevel<double> error_of(const Instant& instant, const KnownCase& known, std::size_t of,
                           std::size_t next) {
   const Answers& answers = known.answers[of];
@@ -78,10 +81,10 @@ PerLevel<double> error_of(const Instant& instant, const KnownCase& known, std::s
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
-/// Instants after which a run has all the memory that it needs.
+/// Number of instants after which a run should have allocated all the memory that it needs.
 constexpr std::size_t early = 1000;
 
-/// Keeps what becomes of each instant, or start.
+/// An observer that notes the result of each instant, or start, in a CaseRun.
 class Record final : public Observer {
  public:
   Record(const KnownCase& known, const Formulation& formulation, CaseRun& run)
@@ -90,10 +93,10 @@ class Record final : public Observer {
       if (!part.definition.constant) unknowns_ += std::ssize(part.definition.unknowns);
     for (const Answers& answers : known.answers) run.errors.emplace_back(answers.right.size());
     run.stated.resize(known.compared.size());
-    run.steps.reserve(known.solvable.size());  // so that nothing here grows
+    run.steps.reserve(known.solvable.size());  // or its growth would count as the formulation's
   }
 
-  /// The runs to come begin with that instant, or start.
+  /// Sets the index of the instant, or start, with which the next run begins.
   void begin(std::size_t first) { first_ = first; }
 
   void note(const CheckedInstant& row) {
@@ -104,7 +107,7 @@ class Record final : public Observer {
                 : CaseRun::Flag::other_branch;
     stated_ = {row.condition, row.relative_radius};
     if (case_.answers.empty()) return;
-    // Over the scales that errors are taken over: those of the run are of other instants.
+    // Relative to the scales of errors; the run's own scales are of other instants.
     const PerLevel<double> radius =
         relative_radius(model_, row.radius, case_.answers.front().scales).largest;
     for (const Level level : all_levels)
@@ -115,7 +118,7 @@ class Record final : public Observer {
   Flow observe(const Instant& instant) noexcept override {
     const std::size_t i = first_ + instant.index;
     weigh(i);
-    run_.steps.resize(i, {CaseRun::Flag::failed});  // those that were passed over
+    run_.steps.resize(i, {CaseRun::Flag::failed});  // instants of a gap
     run_.steps.push_back({flag_, unknowns_ > 0 ? static_cast<double>(instant.updates) /
                                                      static_cast<double>(unknowns_)
                                                : 0});

@@ -13,7 +13,7 @@ namespace {
 
 const Quadruple turn = 2 * boost::math::constants::pi<Quadruple>();
 
-/// The angle that differs by whole turns and is nearest to that before.
+/// Returns the angle that differs from `angle` by whole turns and is nearest to `before`.
 Quadruple near(const Quadruple& angle, double before) {
   return angle + turn * round((Quadruple(before) - angle) / turn);
 }
@@ -52,8 +52,8 @@ void ChainSolution::declare(std::span<const double> q) {
 
 bool ChainSolution::solve(double t) {
   const Motion& motion = m_.drivers.front().motion;
-  // A driver that double precision cannot evaluate is none, whatever quadruple precision makes of
-  // it.
+  // A motion that is not finite in double precision counts as none, even if it is finite in
+  // quadruple precision.
   const MotionSample<double> driven = sample(motion, t);
   if (!std::isfinite(driven.position) || !std::isfinite(driven.velocity) ||
       !std::isfinite(driven.acceleration))
@@ -79,7 +79,7 @@ bool ChainSolution::close(std::size_t k, const Joint& b, Joint& c) {
   Place& place = places_[k];
   const Quadruple p = dyad.coupler, r = dyad.rocker;
   const Quadruple ax = dyad.pivot[0] - b.x, ay = dyad.pivot[1] - b.y, a2 = ax * ax + ay * ay;
-  // Two circles: C − B = x a + h a⊥, where a leads from B to the pivot.
+  // C is where two circles meet: C − B = x a + h a⊥, where a leads from B to the pivot D.
   const Quadruple x = (1 + (p - r) * (p + r) / a2) / 2, h2 = p * p / a2 - x * x;
   if (!(h2 > 0)) return false;
   const Quadruple h = place.side * sqrt(h2);
@@ -95,7 +95,7 @@ bool ChainSolution::close(std::size_t k, const Joint& b, Joint& c) {
   const Quadruple psi = near(atan2(fy, fx), place.last_angle);
   place.last_angle = static_cast<double>(psi);
 
-  // An error of B counts along the coupler; that of the joint before was across its own rocker.
+  // Only the component along the coupler of B's error moves C. along_ is along B's velocity.
   const Quadruple speed = sqrt(b.vx * b.vx + b.vy * b.vy);
   const double share =
       speed > 0 ? static_cast<double>(abs(ex * b.vx + ey * b.vy) / speed) : dyad.coupler;

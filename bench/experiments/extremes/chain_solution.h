@@ -10,27 +10,30 @@
 
 namespace desmo::extremes {
 
-/// The motion of a chain of dyads in quadruple precision by a closed form, the intersection of two
-/// circles a dyad. It shares nothing with any formulation but the motion of the crank.
+/// The motion of a chain of dyads (DyadChain) in quadruple precision. Each dyad's joint is an
+/// intersection of two circles, a closed form. Only the crank's motion is computed by code that
+/// formulations use, too.
 class ChainSolution {
  public:
-  /// mechanism: of the chain and nothing else. Both must outlive the solution.
+  /// model: of a mechanism that consists of the chain alone. Both must outlive the solution.
   ChainSolution(const DyadChain& chain, const Model& model);
 
-  /// The branch of each dyad is the one on whose side its joint is in these positions; angles are
-  /// those nearest to these, and then to those before. At first the mechanism's estimate holds.
+  /// Sets the branch of each dyad: the side on which its joint is, in positions q, of the way from
+  /// the joint before to the pivot. Rocker angles are unwrapped from their values in q on. The
+  /// constructor declares the model's estimate.
   void declare(std::span<const double> q);
 
-  /// Solves at time t [s]. Returns false where there is no answer: the crank's angle is no number,
-  /// a dyad cannot be closed, or it is stretched or folded so that its rates are not determined.
+  /// Solves at time t [s]. Returns false where there is no answer: the crank's motion is not finite
+  /// in double precision, a dyad cannot be closed, or it is stretched or folded, so that its rates
+  /// are not determined.
   bool solve(double t);
 
   /// Returns the instant solved last.
   ReferenceInstant instant() const { return rounded(now_); }
 
-  /// Returns the sensitivity of the instant solved last to rounding: the change of its positions,
-  /// to first order, when every length and every joint on the way is rounded to double. It is
-  /// relative to the unit roundoff and the size.
+  /// Returns the sensitivity of the instant solved last to rounding: the largest change of a
+  /// joint's position, to first order, when every length and every joint before it is rounded to
+  /// double. It is divided by the unit roundoff and by the nominal size.
   double condition() const { return condition_; }
 
  private:
@@ -38,23 +41,26 @@ class ChainSolution {
     Quadruple x, y, vx, vy, ax, ay;
   };
   struct Place {
-    int joint, angle;  // coordinates
-    int side;
-    double last_angle;
+    int joint, angle;   // indices in q of the joint's x and of the rocker's angle
+    int side;           // 1: the joint is left of the way from the joint before to the pivot; -1
+    double last_angle;  // rocker's angle, unwrapped, at the instant solved last [rad]
   };
 
+  /// Solves a dyad whose coupler begins at joint `from`. Returns whether it can be closed.
   bool close(std::size_t dyad, const Joint& from, Joint& to);
   void put(int coordinate, const Joint& joint);
   void put(int coordinate, const Quadruple& q, const Quadruple& qd, const Quadruple& qdd);
 
   const DyadChain& chain_;
   const Model& m_;
-  int crank_angle_, crank_joint_;  // coordinates
-  std::vector<Place> places_;      // of the dyads
-  double size_;
+  int crank_angle_, crank_joint_;  // indices in q of the crank's angle and of its joint's x
+  std::vector<Place> places_;      // one for each dyad
+  double size_;                    // nominal_size() of the model
   WideInstant now_;
   double condition_ = 0;
-  double along_ = 0, any_way_ = 0;  // error of the joint at hand over the unit roundoff: length
+  // Error of the joint solved last divided by the unit roundoff, a length: along its circle; and in
+  // any direction, by its own rounding.
+  double along_ = 0, any_way_ = 0;
 };
 
 }  // namespace desmo::extremes

@@ -12,7 +12,7 @@ namespace {
 
 using Flag = CaseRun::Flag;
 
-/// Returns the maximum over all answers of the first `count` instants that were compared.
+/// Returns the largest errors over all answers, at the first `count` compared instants.
 PerLevel<double> max_errors(const CaseRun& run,
                             std::size_t count = std::numeric_limits<std::size_t>::max()) {
   PerLevel<double> worst;
@@ -23,16 +23,16 @@ PerLevel<double> max_errors(const CaseRun& run,
   return worst;
 }
 
-/// Returns the errors that the case's bound multiplies, if it does: of a yardstick, or of the first
-/// half.
+/// Returns the errors that the case's bound multiplies: those of the first half for
+/// Bound::first_part, else those of the yardstick; zeros without a yardstick.
 PerLevel<double> measured(const KnownCase& known, const CaseRun& run, const CaseRun* yardstick) {
   if (known.definition->bound == Bound::first_part)
     return max_errors(run, known.compared.size() / 2);
   return yardstick ? max_errors(*yardstick) : PerLevel<double>{};
 }
 
-/// Returns the allowed error of answers `part` at the compared instant `next`: what the case's
-/// bound makes of floors and of the worst errors of a yardstick, if the bound has one.
+/// Returns the allowed relative error of answers `part` at the compared instant `next`, by the
+/// case's bound (Bound). yardstick: the errors of measured().
 double allowed_error(const KnownCase& known, const CaseRun& run, const PerLevel<double>& yardstick,
                      Level level, std::size_t part, std::size_t next) {
   const ExtremeCase& c = *known.definition;
@@ -60,8 +60,8 @@ double allowed_error(const KnownCase& known, const CaseRun& run, const PerLevel<
   }
 }
 
-/// Tells whether neither the tolerance that was asked for nor conditioning excuses an error, nor a
-/// bound that was stated with it.
+/// Returns whether an error exceeds the allowed one, ten times the tolerance and the floor, and the
+/// bound that was stated with it: nothing excuses it.
 bool is_wrong(const WorstError& e, double tolerance, double stated) {
   return e.error > std::max({e.allowed, 10 * std::max(tolerance, e.floor), stated});
 }
@@ -84,7 +84,7 @@ WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const CaseRun* yards
       if (!a.errors[part][next] || flag == Flag::other_branch) continue;
       if (!found.worst) found.worst.emplace();
       for (const Level level : all_levels) {
-        // Nothing is claimed of a number without a radius.
+        // A number without a radius claims nothing, so that its error is no matter.
         if (flag == Flag::unproven && !std::isfinite(a.stated[next]->radius[level])) continue;
         const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
                            allowed_error(p, a, errors, level, part, next)};

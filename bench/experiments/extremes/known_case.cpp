@@ -17,9 +17,9 @@ namespace desmo::extremes {
 
 namespace {
 
-/// Returns the error that conditioning lets double precision reach in a position, relative to
-/// nominal magnitudes: accuracy_limit, for as many units of roundoff as the largest driver has
-/// turns of 1 rad, or lengths of the mechanism's size, since its own rounding cannot be undone.
+/// Returns the relative errors that conditioning allows in double precision at positions q:
+/// accuracy_limit() times the magnitude of the largest driver, since its own rounding cannot be
+/// undone. That magnitude is in rad, or a length divided by the nominal size; at least 1.
 PerLevel<double> floor_at(const Model& m, std::span<const double> q, double condition) {
   const double size = nominal_size(m);
   double driven = 1;
@@ -32,9 +32,11 @@ PerLevel<double> floor_at(const Model& m, std::span<const double> q, double cond
   return floor;
 }
 
-/// Conditions and floors of what is right. conditions: those of a closed form, if they are to be
-/// used, which know better than the equations how far a long chain passes an error on. motion: what
-/// errors are relative to, if not to what is compared.
+/// Adds condition, floors and scales to answers.
+/// - conditions: condition number of each answer by a closed form, which knows better than the
+///   equations how far a long chain passes an error on; empty: those of the equations
+///   (ConditionNumber)
+/// - motion: instants of which errors have the scales; empty: the answers
 void add_floors(Answers& a, const std::vector<double>& conditions,
                 std::vector<ReferenceInstant> motion = {}) {
   std::optional<ConditionNumber> number;
@@ -53,7 +55,8 @@ void add_floors(Answers& a, const std::vector<double>& conditions,
   a.scales = make_scales(a.model, motion);
 }
 
-/// Returns answers for a part of the case's mechanism, or all of it, that have still to be found.
+/// Returns the frame of answers for a part of the case's mechanism, or all of it: its model and
+/// coordinates, without any instant.
 Answers answers_of(Model part, const KnownCase& p) {
   const Model& whole = p.modelled->model;
   Answers a{.model = std::move(part)};
@@ -70,7 +73,7 @@ double max_link(const DyadChain& chain) {
   return longest;
 }
 
-/// The mechanism of one of the chains.
+/// Returns the model of one of the case's chains alone.
 Model alone(const KnownCase& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   if (c.chains.size() == 1) return p.modelled->model;
@@ -80,8 +83,8 @@ Model alone(const KnownCase& p, std::size_t index) {
   return model_mechanism(d.release(), {c.scene.motions[index]}).model;
 }
 
-/// Returns the time between two others at which a chain that has an answer at one of them ceases or
-/// begins to have one.
+/// Returns the time [s], to its last bit, at which a chain's answers end or begin. It has an answer
+/// at exactly one of the times `from` and `to`.
 double end_between(ChainSolution& solution, double from, double to) {
   const bool known = solution.solve(from);
   for (;;) {
@@ -91,8 +94,8 @@ double end_between(ChainSolution& solution, double from, double to) {
   }
 }
 
-/// Returns the answers of the case's chain of that index, by the closed form. Where the chain
-/// cannot be solved, neither can the case.
+/// Returns the answers of the case's chain of that index, by the closed form. Instants at which the
+/// chain has none are no longer `solvable`, and times between them are added to `ends`.
 Answers chain_answers(KnownCase& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   const DyadChain& chain = c.chains[index];
@@ -102,7 +105,7 @@ Answers chain_answers(KnownCase& p, std::size_t index) {
   a.chain_length = longest * static_cast<double>(links) / size;
   ChainSolution solution(chain, a.model);
   std::vector<double> conditions;
-  std::vector<ReferenceInstant> motion;  // what is said of errors is relative to all of it
+  std::vector<ReferenceInstant> motion;  // all instants, to which stated radii are relative
   std::size_t next = 0;
   bool before = true;
   for (std::size_t i = 0; i < p.solvable.size(); ++i) {
@@ -121,14 +124,14 @@ Answers chain_answers(KnownCase& p, std::size_t index) {
     if (c.bound == Bound::length) conditions.push_back(solution.condition());
   }
   add_floors(a, conditions, std::move(motion));
-  // An angle's error is what it moves the end of its link by, or long chains would leave it less
-  // than the rounding of that point.
+  // An angle's error counts as the distance by which it moves the end of the longest link, divided
+  // by the size. Else long chains would leave it less than the rounding of that point.
   if (c.bound == Bound::length) a.scales.rotation.position = size / longest;
   return a;
 }
 
-/// Returns the answers of the whole mechanism, by two formulations in quadruple precision. Throws
-/// std::runtime_error where they do not converge or do not agree.
+/// Returns the answers of the whole mechanism by make_reference(). Throws std::runtime_error where
+/// its two solutions do not converge or differ by 1e-20 or more.
 Answers reference_answers(const KnownCase& p) {
   const ExtremeCase& c = *p.definition;
   Answers a = answers_of(p.modelled->model, p);
@@ -144,8 +147,8 @@ Answers reference_answers(const KnownCase& p) {
   return a;
 }
 
-/// Returns the answers to each start: the branch that it means is where the references' homotopy
-/// leads. None where they do not converge or do not agree.
+/// Returns the answer of each start, on the branch to which the references lead from it; without q
+/// where they do not converge or do not agree.
 Answers answers_to_starts(const KnownCase& p) {
   Answers a = answers_of(p.modelled->model, p);
   const double time = p.definition->scene.grid.time(0);
@@ -163,13 +166,13 @@ Answers answers_to_starts(const KnownCase& p) {
   return a;
 }
 
-/// Returns estimates of a mechanism's positions that are off by up to `off` of nominal magnitudes,
-/// the drivers' excepted: evenly distributed, the same in every run.
+/// Returns estimates of a mechanism's positions. Coordinates that are not driven are off by up to
+/// starts.off times their nominal magnitudes, evenly distributed, the same in every run.
 std::vector<std::vector<double>> make_starts(const Model& m, const ExtremeCase::Starts& starts) {
   const std::vector<double> magnitude = nominal_magnitudes(m);
   const std::vector<bool> driven = independent_coordinates(m);
   std::mt19937_64 bits(1);
-  // Every library has distributions of its own.
+  // No std distribution, since each library has its own. Returns a number from -1 to 1.
   const auto even = [&] { return std::ldexp(static_cast<double>(bits() >> 11), -52) - 1; };
   std::vector<std::vector<double>> all(starts.count, m.estimate);
   for (std::vector<double>& estimate : all)
@@ -178,7 +181,7 @@ std::vector<std::vector<double>> make_starts(const Model& m, const ExtremeCase::
   return all;
 }
 
-constexpr int spread_instants = 201;
+constexpr int spread_instants = 201;  // largest number of compared instants (≤) that are spread
 
 std::vector<int> compared_instants(const ExtremeCase& c) {
   const int count = c.starts ? c.starts->count : c.scene.grid.instants;
@@ -214,7 +217,7 @@ KnownCase make_known_case(const ExtremeCase& c) {
     return p;
   }
   if (c.starts) p.starts = make_starts(p.modelled->model, *c.starts);
-  if (c.is_refused) return p;  // there is none
+  if (c.is_refused) return p;  // a refused case has no answers
   try {
     if (c.starts)
       p.answers.push_back(answers_to_starts(p));

@@ -70,8 +70,8 @@ std::vector<const Extreme*> chosen_rows(const std::vector<int>& numbers) {
   return rows;
 }
 
-/// Returns the formulations that are tried: in a quick run, unless they are chosen, those whose
-/// checked runs are timed, too, one of each kind.
+/// Returns an expression for the ids of the formulations that are tried: --filter; in a quick run
+/// without it, bench::checked_ids.
 std::regex chosen_formulations(const Options& options) {
   if (!options.quick || !options.filter.empty()) return std::regex(options.filter);
   return std::regex("^(" + joined(bench::checked_ids, std::identity{}, "|") + ")$");

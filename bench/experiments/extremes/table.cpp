@@ -25,7 +25,8 @@ std::vector<const Variant*> matching(const std::regex& formulations) {
   return all;
 }
 
-/// Returns those of a row's cases that are selected, and the first where they are compared with it.
+/// Returns those of a row's cases that are selected, and the first case where one of them is
+/// compared with it.
 std::vector<ExtremeCase> selected(std::vector<ExtremeCase> all, const std::regex& names) {
   const auto is_chosen = [&](const ExtremeCase& c) { return std::regex_search(c.name, names); };
   const bool is_measured = std::ranges::any_of(
@@ -38,7 +39,7 @@ std::vector<ExtremeCase> selected(std::vector<ExtremeCase> all, const std::regex
 }
 
 Configuration configuration(const Variant& v, const ExtremeCase& c) {
-  // Parsed without its formulation's leave: what that does not offer is a result.
+  // Parsed with another id: that v does not offer the settings is a result, not an error.
   Settings settings = parse_id("group_automatic_eigen" + c.settings).settings;
   settings.tolerance = c.scene.tolerance;
   return {&v, settings};

@@ -12,12 +12,14 @@ namespace desmo::extremes {
 
 namespace {
 
-/// Bytes that a long run may hold more of at its end: factors made anew are not always of one size.
+/// Bytes by which the heap may grow in a long run (≤): factors made anew are not always of one
+/// size.
 constexpr std::int64_t max_growth = 4096;
 
 using Flag = CaseRun::Flag;
 
-/// Returns the first instant with numbers where there is no answer.
+/// Returns the first instant that has unflagged numbers although it has no answer, in words; empty:
+/// there is none.
 std::string unflagged(const KnownCase& p, const CaseRun& a) {
   if (p.definition->is_refused) return {};
   for (std::size_t i = 0; i < a.steps.size(); ++i)
@@ -26,7 +28,9 @@ std::string unflagged(const KnownCase& p, const CaseRun& a) {
   return {};
 }
 
-/// Tells whether conditioning explains that an instant, one of those compared, is degraded.
+/// Returns whether conditioning explains that an instant is not proven: its stated radii are at
+/// most max_over_floor times the floors of one of the answers. An instant that is not compared is
+/// excused.
 bool is_excused(const KnownCase& p, const CaseRun& a, std::size_t instant) {
   constexpr double max_over_floor = 1000;
   const auto found = std::ranges::lower_bound(p.compared, static_cast<int>(instant));
@@ -39,18 +43,19 @@ bool is_excused(const KnownCase& p, const CaseRun& a, std::size_t instant) {
   });
 }
 
-/// Tells whether an instant, or one before it, is so near to a singular position that the branch
-/// after it may be doubted.
+/// Returns whether an instant, or a compared one before it, is so near to a singular position that
+/// the branch after it may be doubted.
 bool is_near_singular(const KnownCase& p, const CaseRun& a, std::size_t instant) {
-  constexpr double near = 1e6;  // condition number
+  constexpr double near = 1e6;  // smallest condition number (≥) near a singular position
   for (std::size_t n = 0; n < a.stated.size() && p.compared[n] <= static_cast<int>(instant); ++n)
     if (a.stated[n] && a.stated[n]->condition >= near) return true;
   return false;
 }
 
+/// Returns the first flag or failure for which there is no reason, in words; empty: there is none.
 std::string needless_flag(const KnownCase& p, const CaseRun& a) {
   if (p.definition->may_fail) return {};
-  bool has_reopened = false;  // beyond where it locks nobody knows the branch
+  bool has_reopened = false;  // an instant before has no answer, so that the branch is unknown
   for (std::size_t i = 0; i < a.steps.size(); ++i) {
     const Flag flag = a.steps[i].flag;
     has_reopened = has_reopened || !p.solvable[i];
@@ -62,8 +67,9 @@ std::string needless_flag(const KnownCase& p, const CaseRun& a) {
   return {};
 }
 
-/// Closed forms take no iterations. In the most extreme units the pivoting part solves for them,
-/// which takes some.
+/// Returns the first step whose iterations differ by more than 1 from those of the row's first
+/// case, in words; empty: there is none. Steps without iterations there do not count: closed forms
+/// take none, but in extreme units a pivoting part may solve in their place.
 std::string other_iterations(const CaseRun& a, const CaseRun& first) {
   for (std::size_t i = 0; i < std::min(a.steps.size(), first.steps.size()); ++i)
     if (first.steps[i].iterations > 0 &&
@@ -77,10 +83,12 @@ bool is_named(const Model& m, GroupId group, const std::string& body) {
   return group >= 0 && std::ranges::count(m.groups[group].bodies, body) > 0;
 }
 
-/// Allowed factor of the condition number of the worst block over that of the whole.
+/// Largest ratio (≤) of the condition number that a run states, that of its worst block, to that of
+/// the whole model.
 constexpr double max_factor = 10;
 
-/// Returns what is said of the whole run, where it says too much.
+/// Returns the first of the condition number and radii stated for the whole run that is larger than
+/// it may be, in words; empty: none is.
 std::string overstated(const KnownCase& p, const CaseRun& a) {
   const double condition = p.condition();
   if (!(a.max.condition <= max_factor * condition))
@@ -96,10 +104,10 @@ std::string overstated(const KnownCase& p, const CaseRun& a) {
   return {};
 }
 
-/// Returns an end of what cannot be solved that a run went on past, where it is not known well
-/// enough.
+/// Returns the first end of a run's gaps that differs from the known one by more than `bracket`, or
+/// that there are more or fewer ends, in words; empty: all ends are right.
 std::string wrong_end(const KnownCase& p, const CaseRun& a) {
-  constexpr double bracket = 1e-9;  // s
+  constexpr double bracket = 1e-9;  // [s] (≤)
   std::vector<double> found;
   for (const Gap& gap : a.gaps) {
     found.push_back(gap.from);
@@ -118,7 +126,7 @@ bool is_idle(const ModellingResult& modelled, const std::string& body) {
   return std::ranges::count(modelled.idle, body, &IdleFreedom::body) > 0;
 }
 
-/// Returns what was expected and is not there, although nothing is wrong.
+/// Returns what was expected and is missing, although no number is wrong; empty: nothing is.
 std::string shortcoming(const KnownCase& p, const CaseRun& a, const CaseRun* yardstick) {
   const ExtremeCase& c = *p.definition;
   if (c.bound == Bound::first_case && yardstick)
@@ -162,7 +170,7 @@ Verification verify(const KnownCase& p, const CaseRun& a, const CaseRun* yardsti
                : end(ExtremeVerdict::defect, "numbers for what is no mechanism");
   const WorstErrors errors = errors_of(p, a, yardstick);
   j.worst = errors.worst;
-  // The gravest first.
+  // The first that applies decides; they are sorted by gravity.
   for (auto& [why, verdict] : {std::pair{errors.defect, ExtremeVerdict::defect},
                                {unflagged(p, a), ExtremeVerdict::defect},
                                {needless_flag(p, a), ExtremeVerdict::missed},
