@@ -26,7 +26,7 @@ struct Options : bench::CommonOptions {
   int coordinates = 0;
 };
 
-/// Returns its path, next to this program.
+/// Returns the path of desmo_steps, in the folder of this program.
 std::string desmo_steps() {
   return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "desmo_steps").string();
 }

@@ -15,10 +15,11 @@ namespace desmo::instructions {
 
 namespace {
 
+/// Number of counted steps of a run that solves one instant after the other, without checks.
 constexpr int steps = 50;
-/// Steps where more than one instant is solved at once, or a run is checked: assembly and entry
-/// are counted, too, and a long motion less a shorter one leaves steps. What checks take is the
-/// difference of two such, so that both are of the same steps.
+/// Steps of two motions, for any other run. Its count includes the assembly, which the difference
+/// of the two counts does not. What checks take is such a difference less that of the run without
+/// checks.
 constexpr int short_motion = 100, long_motion = 300;
 
 bool is_counted(const Variant& v) {
@@ -26,8 +27,8 @@ bool is_counted(const Variant& v) {
          bench::slow_reason(v).empty();
 }
 
-/// Leaves out what callgrind cannot count: it knows no registers wider than 256 bits; what threads
-/// do while they wait for each other it counts, too, and that is another number every time.
+/// Returns whether callgrind can count a formulation. It knows no registers wider than 256 bits,
+/// and also counts what threads do while they wait for each other, another number every time.
 bool is_counted(std::string_view id) {
   const Settings settings = parse_id(id).settings;
   return std::max(settings.lanes, settings.segments) <= 4 && settings.threads == 1;
@@ -56,7 +57,7 @@ void count(StepCount& one, const std::string& desmo_steps) {
   const auto step = [&](const std::string& id) {
     return counted(id, regression::CountingSettings::uncounted_steps + steps) / steps;
   };
-  const auto more = [&](const std::string& id) {  // all that a longer motion takes more
+  const auto more = [&](const std::string& id) {  // count of long_motion - short_motion steps
     return counted(id, long_motion) - counted(id, short_motion);
   };
   const std::string bare(bench::formulation_of(one.id));

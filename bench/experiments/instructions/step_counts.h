@@ -12,13 +12,17 @@ namespace desmo::instructions {
 /// is checked.
 struct StepCount : bench::CandidateName {
   std::int64_t instructions = 0;  ///< per step, with as many Newton iterations as it takes
-  std::int64_t checks = 0;        ///< of these, what checks take
+  std::int64_t checks = 0;        ///< part of `instructions` that checks take
   int steps = 0;                  ///< number of counted steps
 };
 
-/// Returns what is to be counted of both cases: all formulations but blocks, dense global solves
-/// and SPQR; the extended ids; and checked runs. coordinates: 0 means the largest of the paper's
-/// sizes. Throws std::invalid_argument, which names the sizes, where a case has no such size.
+/// Returns what is to be counted of both cases:
+/// - all formulations except blocks, dense global solves and slow libraries (slow_reason)
+/// - paper::extended_ids that callgrind can count
+/// - bench::checked_ids, in checked runs
+///
+/// coordinates: 0 means the largest of the paper's sizes. Throws std::invalid_argument, which names
+/// the sizes, where a case has no such size.
 std::vector<StepCount> to_be_counted(int coordinates);
 
 /// Counts with the program desmo_steps, as count_steps does. Throws std::runtime_error, naming the

@@ -24,10 +24,10 @@ namespace {
 
 using desmo::regression::SteppedFormulation;
 
-/// Takes for good what earlier work has left free in the heap: how long the allocator looks for
-/// what a library allocates in every step, such as UMFPACK, depends on it.
+/// Allocates for good all free blocks that earlier work has left in the heap. Libraries such as
+/// UMFPACK allocate in every step, and the instructions that this takes depend on free blocks.
 void fill_holes() {
-  static void* taken = nullptr;  // the first of a list
+  static void* taken = nullptr;  // last block; it begins with a pointer to the one before
   const auto take = [](std::size_t size) {
     void* const block = std::malloc(size);
     *static_cast<void**>(block) = taken;
@@ -37,15 +37,16 @@ void fill_holes() {
     const struct mallinfo2 heap = mallinfo2();
     return heap.fordblks - heap.keepcost;
   };
-  mallopt(M_MXFAST, 0);                                  // no others than these are kept apart:
-  constexpr std::size_t apart = 16, max_at_hand = 1040;  // [B], of glibc
+  // Without fast bins, only glibc's thread cache hides freed blocks: seven of each size.
+  mallopt(M_MXFAST, 0);
+  constexpr std::size_t apart = 16, max_at_hand = 1040;  // [bytes]: spacing, limit of cached sizes
   for (std::size_t size = apart; size <= max_at_hand; size += apart)
     for (int i = 0; i < 7; ++i) take(size);
   for (std::size_t size = 1 << 16, left = holes(); size >= apart; size -= apart)
     for (;;) {
       take(size);
       const std::size_t now = holes();
-      if (now >= left) {  // it is from the end
+      if (now >= left) {  // the block is from the end of the heap: no hole has room for this size
         std::free(std::exchange(taken, *static_cast<void**>(taken)));
         break;
       }

@@ -7,8 +7,8 @@ namespace desmo::modelling {
 
 /// Sizes of the linear systems of a step, summed over the parts of a partition that move.
 struct LinearSystems {
-  int unknowns = 0;      ///< without derived ones
-  int entries = 0;       ///< of their matrices, after condensation
+  int unknowns = 0;      ///< unknowns of the systems, to which derived ones do not belong
+  int entries = 0;       ///< entries of the matrices, after condensation
   int condensation = 0;  ///< multiplications and additions of one factorisation (see Condensed)
 };
 

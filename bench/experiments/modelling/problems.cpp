@@ -23,7 +23,7 @@ Plan whole(Model model) {
   return plan;
 }
 
-/// Lends kernels that the program was linked with.
+/// Adds kernels that the program is linked with to a table, which does not own them.
 void add(KernelTable& table, const KernelLibrary& library) {
   table.add(std::shared_ptr<const KernelLibrary>(&library, [](const KernelLibrary*) {}));
 }
@@ -42,7 +42,8 @@ std::string id_in(std::string_view id, Modelling kind, Frames frames) {
   if (v == variants().end()) return {};
   // Generated code for natural coordinates solves first what `basis` derives: it would be the same.
   if (kind == Modelling::basis && v->evaluation == Evaluation::symbolic) return {};
-  // Exact frames save the same with every solver: it is a share of a step where that is fast.
+  // Exact frames save the same time with every solver. With fast ones it is a share of a step worth
+  // measuring.
   if (frames == Frames::exact && v->algebra != "klu" && v->algebra != "lapack") return {};
   const Settings settings{.coordinates = kind, .frames = frames};
   return unsupported_reason(*v, settings).empty() ? id_with(*v, settings) : std::string();

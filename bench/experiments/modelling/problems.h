@@ -15,8 +15,9 @@ namespace desmo::modelling {
 /// the report divides their times in pairs (report/tables/modelling.cpp).
 std::vector<std::string_view> compared_ids();
 
-/// Returns the id of a formulation in coordinates; empty: this build has no such formulation or no
-/// code for them, or exact frames are not compared there.
+/// Returns the id of a formulation in a kind of coordinates. Returns "" where the two are not
+/// compared: this build lacks the formulation or does not offer it in these coordinates or frames,
+/// or its results would say nothing new.
 std::string id_in(std::string_view id, Modelling kind, Frames frames = Frames::linearised);
 
 /// Returns the problem of a case in some coordinates, to be compared with the quadruple reference

@@ -25,8 +25,8 @@ using bench::FormulationCandidate;
 using Json = nlohmann::ordered_json;
 
 constexpr int usual_repetitions = 5, quick_repetitions = 3;
-/// Number of instants of the paper's motion, from its beginning. Entering it costs little compared
-/// with them, and the slowest formulations take a second.
+/// Number of instants, from the beginning of the paper's motion. Compared with them, the assembly
+/// costs little; the slowest formulations take a second.
 constexpr int instants = 201;
 
 /// A case at a size, with the formulations that were asked for.
@@ -55,7 +55,8 @@ std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
   return all;
 }
 
-/// Adds an entry of each formulation to the record. Returns whether nothing is wrong.
+/// Verifies and times the formulations, and adds an entry of each to a list of the record. Returns
+/// whether all were timed.
 bool measure(const Comparison& comparison, int repetitions, Json& list) {
   const Scene scene = make_scene(*comparison.definition, comparison.coordinates);
   TimeGrid grid = comparison.definition->with_units(1).grid;
@@ -76,7 +77,7 @@ bool measure(const Comparison& comparison, int repetitions, Json& list) {
     const LinearSystems systems =
         linear_systems(candidate.problem().plan.model, candidate.variant().partition);
     entry["unknowns"] = systems.unknowns;
-    if (!candidate.variant().is_generated()) {  // that solves no matrix
+    if (!candidate.variant().is_generated()) {  // generated code has no matrix
       entry["entries"] = systems.entries;
       entry["condensation"] = systems.condensation;
     }

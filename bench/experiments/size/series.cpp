@@ -18,8 +18,8 @@ namespace desmo::size {
 
 namespace {
 
-/// Generated code, one part after the other, some and segments of the motion at once, and
-/// formulations that solve by a sparse library.
+/// Formulations of growth: generated code that solves one part after the other, equal parts at once
+/// or segments of the motion at once; and formulations that solve with a sparse library.
 constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
                                                   "group_symbolic_explicit/lanes:4",
                                                   "group_symbolic_explicit/segments:4",
@@ -27,20 +27,21 @@ constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
                                                   "block_symbolic_klu",
                                                   "global_automatic_klu"};
 
-/// 3 + 111 k: both cases have them.
+/// Numbers of coordinates of growth: 3 + 111 k, which both cases have.
 constexpr std::array coordinates{114,  225,  336,  447,   558,   1002,
                                  2001, 4998, 9993, 22203, 49953, 99903};
 constexpr std::array unknowns{10, 15, 20, 25, 30, 40, 50, 60, 75, 90, 110, 140, 200, 300, 400, 500};
 
 constexpr int quick_coordinates = 336, quick_unknowns = 100;
 
-/// Long enough that entering the segments of a motion costs little compared with solving them.
+/// Number of instants of growth: so many that assembling the segments of a motion costs little
+/// compared with solving them.
 constexpr int growth_instants = 401;
 constexpr int break_even_instants = 51;
 
-/// Returns a tolerance that rounding allows. More coordinates reach farther from the origin, where
-/// equations are rounded more coarsely. Up to 200 of them it is the paper's; beyond, three times
-/// what groups need.
+/// Returns a tolerance that rounding allows. Mechanisms of more coordinates reach farther from the
+/// origin, where equations are rounded more coarsely. Up to 200 coordinates it is the paper's;
+/// beyond, about three times what groups need.
 double tolerance_of(int coordinates) { return 5e-15 * std::max(200, coordinates); }
 
 TimeGrid begin_of(const Case& c, int instants) {
@@ -59,7 +60,8 @@ std::vector<std::string_view> all_at_once() {
   return ids;
 }
 
-/// Returns what the first entities need; nothing where none of them moves.
+/// Returns the part of a model that its first `count` entities need; nothing where none of them
+/// moves.
 std::optional<Model> needed_by_first(const Model& whole, int count) {
   std::vector<Output> outputs;
   for (EntityId e = 0; e < count; ++e)
@@ -109,7 +111,7 @@ std::vector<SizeSeries> make_series(bool quick, const std::regex& filter) {
     for (const int n : coordinates)
       if (!quick || n <= quick_coordinates) add(Question::growth, c, n, growing);
     const Model whole = largest(c);
-    int last = 0;  // each number once: the first entities may need more than was asked for
+    int last = 0;  // unknowns of the part before, so that no part is measured twice
     for (const int least : unknowns) {
       if (quick && least > quick_unknowns) break;
       const int found = bench::moving_unknowns(smallest_part(whole, least));

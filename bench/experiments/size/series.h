@@ -19,17 +19,17 @@ std::string_view name_of(Question question);
 struct SizeSeries {
   Question question;
   const Case* definition;
-  int size;  ///< coordinates of growth; unknowns of break_even
+  int size;  ///< number of coordinates (growth) or of unknowns (break_even)
   std::vector<std::string_view> ids;
 
   bench::Problem problem() const;
 };
 
-/// Returns both cases from the smallest of the paper's sizes to a hundred thousand coordinates, and
-/// with 10 to 500 unknowns; in a quick run up to 336 coordinates and 100 unknowns.
+/// Returns the series of both cases: of growth with 114 to 99,903 coordinates, of break_even with
+/// about 10 to 500 unknowns; in a quick run up to 336 coordinates, and about 100 unknowns.
 ///
-/// filter: only formulations in whose <growth|break_even>/<case>/<size>/<id> it is found; series
-/// with none are left out.
+/// filter: found in <growth|break_even>/<case>/<size>/<id> of each formulation returned; series
+/// without any are left out.
 std::vector<SizeSeries> make_series(bool quick = false, const std::regex& filter = std::regex(""));
 
 /// Returns the smallest part of a mechanism that has at least `min_unknowns` unknowns and can be
