@@ -21,8 +21,8 @@ namespace {
 
 constexpr int profiled_instants = 51;
 
-/// Tells whether it is a counterpart of FBL-G or FBL-TP, or the latter in blocks: no others are run
-/// at extra sizes.
+/// Returns whether a variant is run at extra sizes: counterparts of the paper's FBL-G (sparse
+/// global automatic ones) and FBL-TP (generated ones, in groups or blocks).
 bool runs_at_extra_sizes(const Variant& v) {
   if (v.is_generated()) return true;
   return v.partition == Partition::global && v.evaluation == Evaluation::automatic &&
@@ -73,7 +73,7 @@ void CaseCandidate::profile() {
   if (!is_verified() || !measured_->is_profiled) return;
   // A generated elimination has no phases.
   if (variant().is_generated()) return;
-  // The settings are those of the paper, which does not know KLU.
+  // Only the paper's settings are profiled and, since KLU is not the paper's, KLU as one block.
   if (id() != variant().id && id() != reference_of_one_block) return;
   // Reading the clock costs more than what it measures in blocks of one unknown.
   if (variant().partition == Partition::block) return;

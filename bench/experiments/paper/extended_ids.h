@@ -19,7 +19,7 @@ struct TimedConfiguration : Configuration {
 /// Ids beyond the paper's, measured at the largest of its sizes: the reference with its own best
 /// settings, and generated code with the same guess. The latter solves one part after the other,
 /// equal axles at once, or segments of the motion at once, on registers of 256 and of 512 bits and
-/// on two threads. The tolerance keeps all errors below 1e-9.
+/// on two threads.
 inline constexpr std::array<std::string_view, 9> extended_ids{
     "global_automatic_klu/guess:adams8/jacobian:step/tolerance:1e-10",
     "group_symbolic_inlined/guess:adams8/tolerance:1e-10",
@@ -31,15 +31,16 @@ inline constexpr std::array<std::string_view, 9> extended_ids{
     "group_symbolic_explicit/guess:adams8/segments:4/threads:2/tolerance:1e-10",
     "group_symbolic_explicit/guess:adams8/segments:8/threads:2/tolerance:1e-10"};
 
-/// KLU without the irreducible blocks that it finds itself: the difference is what they gain.
+/// KLU on the whole matrix as one block: compared with KLU as it is, it shows what the irreducible
+/// blocks gain that KLU finds itself.
 inline constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";
 
 /// Returns the configuration of an id; where it has several threads, also what it is compared with:
 /// the same on one thread, by the same clock. Throws what parse_id throws.
 std::vector<TimedConfiguration> with_counterpart(std::string_view id);
 
-/// Returns what is measured of one size beyond the table of variants: the extended ids, KLU as one
-/// block, and checked runs.
+/// Returns what is measured at one size in addition to the table of variants: the extended ids with
+/// their counterparts, KLU as one block, and checked runs.
 std::vector<TimedConfiguration> beyond_the_table();
 
 /// The request that extended_ids of one thread are timed with, too.

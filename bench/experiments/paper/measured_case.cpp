@@ -22,7 +22,7 @@ namespace {
 /// Time that a compiler may take for the code of one formulation.
 constexpr std::chrono::seconds compile_limit{60};
 
-constexpr int profiled_coordinates = 558;  // the largest of the paper's tables
+constexpr int profiled_coordinates = 558;  // size of a case that is profiled: the paper's largest
 
 std::string name_of(const std::string& file) {
   std::string name = std::filesystem::path(file).filename().string();
@@ -52,7 +52,8 @@ std::string reason_of(const GenerationOutcome& outcome) {
 }
 
 /// Adds the code of a formulation to a scene that lacks it. Returns why there is none; empty: there
-/// is. reasons: why there is none, by what it is generated for.
+/// is. reasons: those found by earlier calls, by the formulation's id with lanes and segments
+/// alone.
 std::string missing(MeasuredCase& measured, const Configuration& c,
                     std::map<std::string, std::string>& reasons) {
   const Model& model = measured.plan.model;

@@ -24,10 +24,11 @@ struct MeasuredCase : Problem {
 std::shared_ptr<MeasuredCase> measured_case(const Case& definition, int coordinates,
                                             const Options& options);
 
-/// Reads a user's scene, whose formulation, tolerance and request do not count. Its <case> is the
-/// file's name without its endings: characters that it must not have are "_". Differences are
-/// relative. Code that a formulation needs and the program lacks is generated when it is first
-/// asked for; a formulation without code is not to be run.
+/// Reads a user's scene. Its formulation, tolerance and request are ignored. Its <case> is the
+/// file's name without its endings, with "_" for all characters but letters, digits and "-".
+/// Differences from the reference are relative (Problem::is_relative). Code that a formulation
+/// needs and the program lacks is generated when it is first asked for; a formulation for which
+/// there is none is not to be run.
 ///
 /// Throws UnreadableFile and InputError, naming the file, for one that cannot be read or says
 /// something wrong, and std::invalid_argument where its name is that of a case of the suite.

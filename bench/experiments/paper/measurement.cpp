@@ -20,9 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns a run as the console is to show it: the time given to Google Benchmark by hand is CPU
-/// time, and what it finds itself is that of a thread that waits. The spread of a number that is
-/// always 0 is none.
+/// Returns a run as the console is to show it. Its CPU time is the time that was given to Google
+/// Benchmark by hand: what Google Benchmark measures itself is that of a thread that waits. The
+/// relative spread of a counter that is always 0 is 0, not NaN.
 benchmark::BenchmarkReporter::Run shown_as_cpu_time(benchmark::BenchmarkReporter::Run run) {
   run.run_name.time_type.clear();
   run.run_name.repetitions.clear();
@@ -81,7 +81,7 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
   std::map<std::string, Candidate*> candidates_;
 };
 
-/// Takes one repetition. repetitions: number of all.
+/// Takes one repetition of a candidate. repetitions: number of all its repetitions.
 void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, Progress& progress) {
   if (!candidate.is_verified()) return state.SkipWithError(candidate.message().c_str());
   for (auto _ : state) {
@@ -94,8 +94,8 @@ void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, P
   progress.add_done(1.0 / repetitions);
 }
 
-/// Returns as many as take long enough, together, that something of them is undisturbed: a core may
-/// be slow for seconds. What takes long itself needs less.
+/// Returns the number of repetitions of a candidate, 3 to 20, that take about 2 s together. Some of
+/// them are then likely to be undisturbed, although a core may be slow for seconds.
 int worth_repeating(const Candidate& candidate) {
   constexpr double seconds = 2;
   const double needed =
@@ -120,8 +120,8 @@ Json measure(const std::vector<Candidate*>& all, const Console& console, Progres
   std::vector<const Candidate*> verified;
   for (Candidate* candidate : all) {
     const auto verify = [&] { candidate->verify(); };
-    // The threads that it makes end with the one that it is on: those of a repetition have no
-    // others next to them, for which they would have to make room.
+    // Threads that a candidate makes end with the thread that it is on. So those of its
+    // verification are gone, and take no room, when its repetitions are timed.
     candidate->threads() > 1 ? run_on_fresh_heap(verify) : verify();
     candidate->profile();
     progress.add_done(candidate->is_verified() ? 1 : work_of_candidate);

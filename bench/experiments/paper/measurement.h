@@ -15,10 +15,10 @@ inline constexpr double work_of_candidate = 2;
 
 /// Arguments for Google Benchmark, and whether it prints its table.
 struct Console {
-  /// Repetitions of every candidate; nothing: as many as its time is worth.
+  /// Repetitions of every candidate; nothing: 3 to 20, by the time of its analysis.
   std::optional<int> repetitions;
   bool has_table = true;  ///< a row for each benchmark, and why others are not run
-  bool is_first = true;   ///< nothing was printed yet
+  bool is_first = true;   ///< the machine was not yet described
 };
 
 /// Verifies and profiles all candidates, then lets Google Benchmark time the verified ones in its

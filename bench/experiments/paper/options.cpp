@@ -7,7 +7,7 @@ namespace desmo::paper {
 
 namespace {
 
-constexpr double quick_duration = 1.5;  // s
+constexpr double quick_duration = 1.5;  // longest motion of a quick run [s] (≤)
 constexpr int quick_repetitions = 2;
 
 }  // namespace

@@ -12,11 +12,11 @@ using namespace bench;  // the kit, of which this experiment uses nearly all
 
 /// Options of the paper's experiment, without the flags of Google Benchmark.
 struct Options : bench::CommonOptions {
-  double step = 0;                        ///< s; 0: the case's own
-  double duration = 0;                    ///< s; 0: the case's own
-  int dense_limit = 114;                  ///< coordinates up to which dense global solves run
-  int slow_limit = 114;                   ///< most coordinates for slow libraries (slow_reason)
-  double peer_limit = 60;                 ///< s of CPU time a peer may take for the motion
+  double step = 0;         ///< time between instants [s]; 0: the case's own
+  double duration = 0;     ///< duration of the motion [s]; 0: the case's own
+  int dense_limit = 114;   ///< most coordinates (≤) for dense global solves
+  int slow_limit = 114;    ///< most coordinates (≤) for slow libraries (slow_reason)
+  double peer_limit = 60;  ///< CPU time that a peer may take for the motion [s] (≤)
   std::vector<std::string> formulations;  ///< ids with settings, to be run as well as the table's
   std::vector<std::string> scenes;        ///< files to be measured in place of the cases
   bool table = false;                     ///< show every benchmark, though there is a record
@@ -28,8 +28,8 @@ struct Options : bench::CommonOptions {
 /// naming the option, for a missing or unusable value.
 Options take_options(std::vector<std::string>& arguments);
 
-/// Returns the instants that are analysed: a scene's own, but for what the options say. A quick run
-/// takes the beginning of the motion.
+/// Returns the instants that are analysed: a scene's own, except for step and duration that the
+/// options give. A quick run without a duration takes the first 1.5 s of a longer motion.
 TimeGrid chosen_grid(const TimeGrid& own, const Options& options);
 
 }  // namespace desmo::paper

@@ -19,11 +19,12 @@ namespace desmo::paper {
 
 namespace {
 
-/// The nearest in method, the paper's fastest, and the fastest of all.
+/// Our formulations that peers are compared with: the nearest in method, the counterpart of the
+/// paper's fastest, and generated closed forms.
 constexpr std::array<std::string_view, 3> formulations{
     "global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit"};
 
-/// Instants after which the time of the whole motion is estimated.
+/// Number of instants after which the time of the whole motion is estimated.
 constexpr int instants_of_estimate = 50;
 
 void solve(Peer& peer, const TimeGrid& grid, int i) {
@@ -91,7 +92,7 @@ Analysis PeerCandidate::make_analysis(TimingWindows& windows) const {
   const std::shared_ptr<Peer> solver = peer_.make(measured_->scene, model());
   solver->assemble(grid().time(0));
   const std::vector<double> zeros(solver->answer().coordinates.size());
-  // Answers are delivered into vectors of its own.
+  // The analysis copies all answers to vectors of its own, like a delivery.
   return [this, solver, &windows, q = zeros, qd = zeros, qdd = zeros]() mutable {
     windows.begin();
     for (int i = 0; i < grid().instants; ++i) {

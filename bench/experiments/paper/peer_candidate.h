@@ -32,13 +32,14 @@ class PeerCandidate final : public Candidate {
 
   const std::shared_ptr<const MeasuredCase> measured_;  // which the peer refers to
   const PeerDefinition& peer_;
-  const double limit_;  // CPU seconds of the whole motion
+  const double limit_;  // largest CPU time of the whole motion [s] (≤), as estimated
 };
 
 /// Returns every peer of this build at every size of every case.
 std::vector<std::unique_ptr<PeerCandidate>> make_peer_candidates(const Options& options);
 
-/// Returns our formulations that peers are compared with, starting from the same guesses.
+/// Returns our formulations that peers are compared with, with each guess that a peer starts from,
+/// at every size of every case.
 std::vector<std::unique_ptr<CaseCandidate>> make_candidates_for_peers(const Options& options);
 
 }  // namespace desmo::paper

@@ -13,7 +13,7 @@ namespace desmo::paper {
 
 namespace {
 
-/// Returns what one measurement costs of itself.
+/// Returns the time that measuring one phase takes by itself [s].
 double clock_seconds() {
   constexpr int calls = 20'000;
   double best = 1;
@@ -26,7 +26,7 @@ double clock_seconds() {
   return best;
 }
 
-/// Measures one pass over the grid.
+/// Measures one pass over the grid. clock: the result of clock_seconds().
 PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& grid,
                     double clock) {
   Delivery observer(formulation.model().coordinates());
@@ -40,7 +40,7 @@ PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& 
   PhaseTimes times;
   double measured = 0;
   for (int p = 0; p < phase_count; ++p) {
-    // Within a measurement lies about half of what it costs.
+    // About half of the cost of a measurement falls into the time that it measures.
     const double seconds = std::max(0.0, profile.seconds[p] - profile.calls[p] * clock / 2);
     times.seconds[p] = seconds / grid.instants;
     measured += seconds;

@@ -9,11 +9,11 @@
 
 namespace desmo::paper {
 
-/// Wall-clock seconds of a step by phase, the clock's own cost taken off: of the pass with the
-/// median total among several.
+/// Wall-clock time of a step by phase [s], without the cost of reading the clock. It is the mean
+/// over one pass over the motion: of several passes, the one with the median total.
 struct PhaseTimes {
   std::array<double, phase_count> seconds{};
-  double rest = 0;  ///< loops, copies, drivers, delivery
+  double rest = 0;  ///< time of loops, copies, drivers and delivery
 
   double total() const;
 };
@@ -22,7 +22,8 @@ struct PhaseTimes {
 inline constexpr std::array<const char*, phase_count> phase_names{
     "residual", "jacobian", "factorisation", "solve", "right_hand_sides"};
 
-/// Measures where the time goes, over the instants of a grid, with a formulation made for that.
+/// Measures the phases over the instants of a grid, with a formulation made for that. Throws
+/// std::runtime_error where the motion cannot be solved.
 PhaseTimes measure_phases(const Variant& variant, const Settings& settings, const Model& model,
                           const TimeGrid& grid);
 

@@ -21,8 +21,8 @@ namespace desmo::paper {
 
 namespace {
 
-/// Formulations with which requests are timed: the reference, and others, of which each can leave
-/// out more equations than the one before.
+/// Formulations with which requests are timed: the reference, and generated ones that solve all at
+/// once, by groups, and by blocks.
 constexpr std::array<std::string_view, 6> requested_ids{
     "global_automatic_klu",   "global_symbolic_klu",     "group_symbolic_inlined",
     "block_symbolic_inlined", "group_symbolic_explicit", "block_symbolic_explicit"};

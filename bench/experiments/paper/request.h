@@ -21,9 +21,10 @@ struct PlannedRequest : Problem {
   /// output moves.
   PlannedRequest(std::string_view short_name, const Scene& scene, const Options& options);
 
-  std::string name;            ///< in the benchmark's name
-  std::string title;           ///< for people
-  int unknowns, all_unknowns;  ///< solved for at every instant, of how many
+  std::string name;   ///< name of the request in the benchmark's name
+  std::string title;  ///< name of the scene, for people
+  /// Numbers of unknowns to be found at every instant: for the request, for the whole mechanism.
+  int unknowns, all_unknowns;
 };
 
 /// A request with one formulation.

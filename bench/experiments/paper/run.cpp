@@ -31,8 +31,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Returns the number as Google Benchmark reads it: the last one counts. Nothing where the user
-/// leaves it to us.
+/// Returns the number of repetitions as Google Benchmark reads it: the last flag counts. Returns
+/// nothing where there is no such flag.
 std::optional<int> repetitions_of(const std::vector<std::string>& arguments) {
   constexpr std::string_view flag = "--benchmark_repetitions=";
   std::optional<int> repetitions;
@@ -64,13 +64,13 @@ void require_one_grid(const std::vector<std::unique_ptr<Candidate>>& all) {
           "the motions differ in step or duration: give --step and --duration");
 }
 
-/// Candidates that are compared with each other: all of one case and size.
+/// Candidates that are compared with each other: all of one case and size, as a rule.
 struct ComparedCandidates {
   std::string name;  ///< "truck_suspension/558"
   std::vector<Candidate*> candidates;
 };
 
-/// Returns all candidates, by case and size; together: as one.
+/// Returns all candidates by case and size. together: as one entry instead.
 std::vector<ComparedCandidates> compared_candidates(const std::vector<Candidate*>& all,
                                                     bool together) {
   if (together) return {{"desmo_bench", all}};
@@ -85,7 +85,7 @@ std::vector<ComparedCandidates> compared_candidates(const std::vector<Candidate*
   return compared;
 }
 
-/// Google Benchmark writes it anew in every process.
+/// Returns whether Google Benchmark is to write a file. It would write it anew in every process.
 bool has_output_file(const std::vector<std::string>& arguments) {
   return std::ranges::any_of(arguments, [](std::string_view a) {
     return a.starts_with("--benchmark_out=") && !a.ends_with('=');
