@@ -105,7 +105,7 @@ Answers chain_answers(KnownCase& p, std::size_t index) {
   a.chain_length = longest * static_cast<double>(links) / size;
   ChainSolution solution(chain, a.model);
   std::vector<double> conditions;
-  std::vector<ReferenceInstant> motion;  // all instants, to which stated radii are relative
+  std::vector<ReferenceInstant> motion;  // with Bound::estimates: all instants, else empty
   std::size_t next = 0;
   bool before = true;
   for (std::size_t i = 0; i < p.solvable.size(); ++i) {
