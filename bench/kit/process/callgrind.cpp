@@ -15,7 +15,7 @@ namespace desmo::bench {
 
 namespace {
 
-/// Returns valgrind by way of env, which looks for it.
+/// Returns the launch of valgrind by env, which looks for it on PATH.
 Launch valgrind(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"/usr/bin/env", "valgrind"});
   return fixed_launch(std::move(arguments));
@@ -33,7 +33,7 @@ std::int64_t count_steps(const std::string& of, std::vector<std::string> command
   command.insert(command.begin(), {"--tool=callgrind", "--callgrind-out-file=/dev/null",
                                    "--log-fd=1", "--toggle-collect=desmo_counted_steps"});
   Launch launch = valgrind(std::move(command));
-  launch.environment.push_back("OPENBLAS_CORETYPE=Haswell");  // that callgrind knows
+  launch.environment.push_back("OPENBLAS_CORETYPE=Haswell");  // callgrind knows its instructions
   std::string log;
   const int code = Child(launch).finish(log);
   const std::int64_t instructions = collected(log);

@@ -22,7 +22,8 @@ namespace desmo::bench {
 
 namespace {
 
-/// Returns the descriptor of a copy of a file. The copy has no name and is gone with it.
+/// Returns the descriptor of a copy of a file in memory. The copy has no name and lasts as long as
+/// the descriptor is open.
 int copy_of(const char* path) {
   const int from = open(path, O_RDONLY | O_CLOEXEC), copy = memfd_create(path, MFD_CLOEXEC);
   struct stat status {};
@@ -35,7 +36,8 @@ int copy_of(const char* path) {
   throw std::runtime_error(std::string(path) + " cannot be copied: " + std::strerror(errno));
 }
 
-/// Turns the new process into the program, by what is safe between fork and exec alone.
+/// Turns the new process into the program. Calls only functions that are safe between fork and
+/// exec.
 [[noreturn]] void become(int core, int program, int in, int out, char* const* arguments,
                          char* const* variables) {
   if (core >= 0) {

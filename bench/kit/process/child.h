@@ -12,11 +12,11 @@ namespace desmo::bench {
 /// Settings with which a program is run.
 struct Launch {
   std::vector<std::string> arguments;    ///< the program's path first
-  std::vector<std::string> environment;  ///< all of it, NAME=value
-  int core = -1;                         ///< on this core only; -1: on any
-  /// Runs a copy of the program made for this once, on other pages of memory than the last. Which
-  /// ones a file got by chance decides what shares cache lines in its loops, to 3 % and more, for
-  /// as long as the file is in memory.
+  std::vector<std::string> environment;  ///< whole environment, NAME=value
+  int core = -1;                         ///< the only core to run on; -1: any
+  /// Runs a copy of the program that is made for this run alone, and so lies on pages of memory of
+  /// its own. The pages that a file gets by chance decide what shares cache lines in its loops.
+  /// They change times by 3 % and more for as long as the file is in memory.
   bool fresh_copy = false;
 };
 
@@ -33,8 +33,8 @@ class Child {
   void say(std::string_view line);
   std::string read_answer();  ///< the next line, without its end
 
-  /// Closes its input and waits. Returns its exit code; output: receives all that it has still to
-  /// say.
+  /// Closes its input and waits for its end. Returns its exit code, or 128 + the signal that ended
+  /// it. output: receives everything that was not yet read.
   int finish(std::string& output);
 
  private:
@@ -43,8 +43,9 @@ class Child {
   std::FILE *in_ = nullptr, *out_ = nullptr;
 };
 
-/// Returns a program in a fixed environment: PATH, one thread of BLAS, every symbol resolved at the
-/// start, locale C. LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where libraries are, are kept.
+/// Returns the launch of a program in a fixed environment: PATH, one thread of BLAS, every symbol
+/// resolved at the start, locale C. LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where libraries
+/// are, are kept.
 Launch fixed_launch(std::vector<std::string> arguments);
 
 /// Returns the cores that this process may use.

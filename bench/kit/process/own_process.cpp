@@ -35,7 +35,7 @@ void write(std::FILE* file, const std::string& text) {
 
 [[noreturn]] void be_the_process(const std::string& name, const std::function<Json()>& work,
                                  std::FILE* answer) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would wait for it
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // ends with its parent, which alone waits for it
   int code = 0;
   try {
     write(answer, work().dump());
@@ -45,7 +45,7 @@ void write(std::FILE* file, const std::string& text) {
   }
   std::cout.flush();
   std::fflush(nullptr);
-  _exit(code);  // what this process was begun with is not its own to end
+  _exit(code);  // without destructors: objects copied from the parent are the parent's to end
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ Json in_own_process(const std::string& name, const std::function<Json()>& work) 
   const File answer(std::tmpfile());
   if (!answer) throw system_error("no temporary file");
   std::cout.flush();
-  std::fflush(nullptr);  // or both would write it
+  std::fflush(nullptr);  // or both processes would write what is buffered
   const pid_t process = fork();
   if (process < 0) throw system_error("no process for " + name);
   if (process == 0) be_the_process(name, work, answer.get());

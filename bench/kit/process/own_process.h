@@ -7,8 +7,8 @@
 namespace desmo::bench {
 
 /// Does some work in a process of its own, and returns the result. The process begins as a copy of
-/// this one, and ends with the work. So no candidate meets the traces of earlier ones, above all in
-/// the places of memory: they can make the same code a tenth faster or slower for as long as a
+/// this one, and ends with the work. So no candidate is affected by earlier ones, above all by the
+/// memory that they have left: it can make the same code a tenth faster or slower for as long as a
 /// process lives. The caller must have one thread.
 ///
 /// name: for errors. Throws std::runtime_error where the work throws, whose message is then on

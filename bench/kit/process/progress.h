@@ -8,24 +8,25 @@
 namespace desmo::bench {
 
 /// A progress line on standard error, with the expected remaining time: rewritten on a terminal;
-/// elsewhere a new one when both ten seconds and a tenth of the work have passed. The last says how
-/// long all took. Any thread may call add_done().
+/// elsewhere a new one when both ten seconds and a tenth of the work have passed. The destructor
+/// writes a last one, with the time that all took. Any thread may call add_done().
 class Progress {
  public:
-  /// what: for people, "rounds of 12 candidates". work: all there is to do, in any unit.
-  /// only_on_terminal: nothing is said elsewhere, nor how long it took.
+  /// what: name of the work for people, "rounds of 12 candidates". work: all there is to do, in any
+  /// unit. only_on_terminal: writes nothing elsewhere, and no last line.
   Progress(std::string what, double work, bool only_on_terminal = false);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// Adds work that is done. The rest is expected to take as long by its amount.
+  /// Adds work that is done. The expected time assumes that the rest takes as long per unit of
+  /// work.
   void add_done(double work = 1);
   /// Clears the line on a terminal, for other output.
   void clear() const;
 
  private:
-  double elapsed() const;  ///< [s]
+  double elapsed() const;  ///< wall-clock time since construction [s]
 
   std::mutex mutex_;
   const std::string what_;
@@ -33,7 +34,7 @@ class Progress {
   double done_ = 0;
   const bool terminal_, only_there_;
   const double begin_ = now(Clock::wall);
-  double shown_ = 0, shown_done_ = 0;  // s after the beginning, and the work then done
+  double shown_ = 0, shown_done_ = 0;  // elapsed() [s] and work done when a line was last written
 };
 
 }  // namespace desmo::bench

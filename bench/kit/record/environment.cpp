@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Returns what the system says of its first processor, by the names it uses.
+/// Returns the properties of the first processor, by their names in /proc/cpuinfo.
 std::map<std::string, std::string> processor() {
   std::map<std::string, std::string> found;
   std::ifstream info("/proc/cpuinfo");
@@ -43,7 +43,8 @@ std::string first_line(const char* path) {
   return std::getline(file, line) && !line.empty() ? line : "unknown";
 }
 
-/// Returns "on", "off" or "unknown", as the driver of Intel's frequencies or of others' says.
+/// Returns "on", "off" or "unknown", by the frequency driver of Intel's processors or that of
+/// others.
 std::string turbo() {
   const std::string off = first_line("/sys/devices/system/cpu/intel_pstate/no_turbo");
   const std::string on = first_line("/sys/devices/system/cpu/cpufreq/boost");
@@ -62,8 +63,8 @@ std::vector<std::string> caches(const benchmark::CPUInfo& info) {
   for (const auto& c : info.caches)
     add(c.level, c.type, c.size, ", shared by " + std::to_string(c.num_sharing));
   if (!found.empty()) return found;
-  // Some virtual machines list none. The C library asks the processor; of the third level, though,
-  // it tells what all cores of a processor have together.
+  // Some virtual machines list none. The C library asks the processor instead. Its size of the
+  // third level is left out: that is what all cores of a processor have together.
   add(1, "Data", sysconf(_SC_LEVEL1_DCACHE_SIZE), {});
   add(1, "Instruction", sysconf(_SC_LEVEL1_ICACHE_SIZE), {});
   add(2, "Unified", sysconf(_SC_LEVEL2_CACHE_SIZE), {});
@@ -75,8 +76,8 @@ std::string kernel() {
   return uname(&name) == 0 ? std::string(name.sysname) + " " + name.release : "unknown";
 }
 
-/// Adds what was loaded from a file: neither the program itself, which has no name here, nor what
-/// the kernel supplies.
+/// Adds the name of a shared object that was loaded from a file. Leaves out the program itself,
+/// which has no name here, and what the kernel supplies. A callback of dl_iterate_phdr().
 int collect(dl_phdr_info* object, std::size_t, void* names) {
   const std::string_view path = object->dlpi_name;
   if (path.find('/') != path.npos)
@@ -136,7 +137,8 @@ Json environment_json(const Run& run, const TimeGrid& grid) {
           {"settings", settings_json(grid)}};
 }
 
-// A virtual machine may call different processors by one name: their numbers tell them apart.
+// A virtual machine may have one name for different processors; family, model and stepping tell
+// them apart.
 std::string processor_name() {
   auto p = processor();
   const std::string name = p.contains("model name") ? p["model name"] : "unknown";

@@ -10,9 +10,9 @@ namespace desmo::bench {
 
 /// The run of this process that a record describes: when, by which command, under which load.
 struct Run {
-  std::string date;     ///< UTC, when it began
-  std::string command;  ///< program name and arguments
-  std::vector<double> load_before, load_after;
+  std::string date;                             ///< UTC, when it began
+  std::string command;                          ///< program name and arguments
+  std::vector<double> load_before, load_after;  ///< load_averages() at its begin and end
 };
 
 /// Returns `record` of results/record.schema.json: machine, build and settings of this program.

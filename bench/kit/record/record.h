@@ -27,9 +27,9 @@ class RecordWriter {
 
   /// Notes the load and writes lists to the file, once. Throws OutputError.
   ///
-  /// grid: for the settings, the usual one where there are several.
+  /// grid: the grid in the record's settings; where there are several, the usual one.
   /// lists: an object of arrays; empty ones are left out.
-  /// windows: timing windows into which motions were cut, where they were.
+  /// windows: number of timing windows into which a motion was cut; nothing: it was not cut.
   void write(const TimeGrid& grid, const nlohmann::ordered_json& lists,
              std::optional<int> windows = {});
 
@@ -39,7 +39,8 @@ class RecordWriter {
   const std::string experiment_;
 };
 
-/// Returns the head of a record that has no samples: what was measured where, now.
+/// Returns the head of a record without lists: environment and settings, with the current time and
+/// load.
 nlohmann::ordered_json record_head(const std::string& command, const TimeGrid& grid);
 
 /// Returns the text of a record: its head indented, and an element of a list on each line, as a
@@ -50,25 +51,26 @@ nlohmann::ordered_json record_head(const std::string& command, const TimeGrid& g
 std::string record_layout(const nlohmann::ordered_json& head,
                           const nlohmann::ordered_json& sections);
 
-/// Returns a value by the names of the levels.
+/// Returns an object with the value of each level by the level's name.
 nlohmann::ordered_json per_level_json(const PerLevel<double>& values);
 
-/// Returns `verification` of a candidate, down to a level: others were not compared.
+/// Returns `verification` of a candidate: its errors up to a level, above which nothing was
+/// compared.
 nlohmann::ordered_json errors_json(const Differences& errors, Level level = Level::acceleration);
 
-/// Returns samples of a time [s] with the clock that they are of.
+/// Returns samples of a time [s] with the name of the clock that measured them.
 nlohmann::ordered_json time_json(const std::vector<double>& seconds, Clock clock = Clock::cpu);
 
-/// Returns samples of CPU time [s], rounded to five digits: there are many, and no machine repeats
-/// more.
+/// Returns samples of CPU time [s], rounded to five digits: they are many, and no machine repeats
+/// more digits.
 nlohmann::ordered_json rounded_time_json(const std::vector<double>& seconds);
 
-/// Returns the timing windows of a time: of every analysis, and the work in each; their least alone
-/// where nobody counts the work.
+/// Returns the times of all windows in every analysis [s], and the updates in each window; where no
+/// updates were counted, the least time of each window alone.
 nlohmann::ordered_json windows_json(const TimingWindows& windows);
 
-/// Returns a value rounded to significant digits, and at most 1e100: an infinite error is no
-/// number of JSON's.
+/// Returns a value rounded to significant digits; 1e100 for NaN and all larger values, since JSON
+/// has no infinite numbers.
 double rounded(double value, int digits);
 
 /// Returns the name of a clock in a record: "cpu" or "wall".

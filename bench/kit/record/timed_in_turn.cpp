@@ -10,8 +10,8 @@ namespace desmo::bench {
 
 namespace {
 
-constexpr double min_seconds = 0.02;       // of a sample
-constexpr double long_motion_seconds = 1;  // a motion that takes longer has two samples only
+constexpr double min_seconds = 0.02;       // least duration of a sample [s]
+constexpr double long_motion_seconds = 1;  // time of a motion [s] above which two samples do
 
 }  // namespace
 
@@ -48,7 +48,7 @@ nlohmann::ordered_json timed_entry(const FormulationCandidate& candidate) {
   j["verification"] = errors_json(found.errors);
   j["iterations_per_step"] = found.iterations_per_step;
   j["residual"] = found.residual.value();
-  // q, q̇ and q̈
+  // The state is q, q̇ and q̈.
   j["state_bytes"] = 3 * sizeof(double) * static_cast<std::size_t>(problem.plan.model.state_size());
   if (found.bytes > 0) j["bytes"] = found.bytes;
   j["time_per_step"] = rounded_time_json(candidate.seconds());

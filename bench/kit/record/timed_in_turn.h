@@ -9,16 +9,17 @@
 namespace desmo::bench {
 
 /// Verifies every formulation, then times them in turn, so that whatever slows the machine down for
-/// a while meets them all. Names on standard error what is wrong, and returns whether nothing is.
+/// a while meets them all. Names on standard error those that could not be timed, and returns
+/// whether there are none.
 ///
-/// - repetitions: samples of each, of a new formulation on a fresh heap; two of a motion that takes
-///   longer than a second
-/// - list: begins the names of what is wrong: "growth"
+/// - repetitions: samples of each, by a new formulation on a fresh heap; at most two where a motion
+///   takes longer than a second
+/// - list: first part of the names on standard error: "growth"
 bool time_in_turn(std::list<FormulationCandidate>& candidates, int repetitions,
                   std::string_view list);
 
-/// Returns what entries of a record have in common that were timed in turn (`timed_size` of
-/// results/record.schema.json), but for `unknowns`.
+/// Returns the entry of a candidate that was timed in turn (`timed_size` of
+/// results/record.schema.json), without `unknowns`.
 nlohmann::ordered_json timed_entry(const FormulationCandidate& candidate);
 
 }  // namespace desmo::bench
