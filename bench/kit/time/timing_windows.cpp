@@ -50,7 +50,7 @@ std::vector<double> TimingWindows::least() const {
 
 void TimingWindows::end() {
   static const double reading[] = {reading_seconds(Clock::cpu), reading_seconds(Clock::wall)};
-  constexpr double resolution = 1e-9;
+  constexpr double resolution = 1e-9;  // least time of a window [s], for a positive result
   const double ended = now(clock_);
   sample_[next_] = std::max(resolution, ended - began_ - reading[static_cast<std::size_t>(clock_)]);
   updates_[next_] = sum_;

@@ -8,9 +8,9 @@
 
 namespace desmo::bench {
 
-/// Largest number of windows of a motion, and smallest number of instants of a window. Short
-/// motions have fewer windows, at least two, or one of a single instant. So reading the clock costs
-/// little compared with solving.
+/// Largest number of windows of a motion, and smallest number of instants of a window. Motions of
+/// fewer than 2 · min_instants have two windows that are shorter; one instant has one. So reading
+/// the clock costs little compared with solving, very short motions excepted.
 inline constexpr int max_windows = 25, min_instants = 20;
 
 /// Time and work of each window of a motion, analysis by analysis. The time of reading the clock is
@@ -20,7 +20,7 @@ class TimingWindows {
  public:
   explicit TimingWindows(int instants, Clock clock = Clock::cpu);
 
-  /// Begins an analysis. Drops what an unfinished one has left.
+  /// Begins an analysis. Drops the windows of an earlier one that did not finish.
   void begin();
   /// Tells that all instants so far are void: their time becomes part of the first window.
   void restart();
@@ -44,17 +44,17 @@ class TimingWindows {
   void end();
 
   const Clock clock_;
-  std::vector<int> last_instants_;  // by window, then one that never comes
+  std::vector<int> last_instants_;  // by window: value of counted_ at its last instant; then -1
   std::vector<std::vector<double>> samples_;
-  std::vector<double> sample_;  // of the analysis that goes on
-  std::vector<long> updates_;
-  std::size_t next_ = 0;  // to end
-  int counted_ = 0;       // instants
-  long sum_ = 0;          // of updates in the window that goes on
-  double began_ = 0, analysis_began_ = 0;
+  std::vector<double> sample_;             // times of the analysis under way, by window [s]
+  std::vector<long> updates_;              // updates in the last analysis, by window
+  std::size_t next_ = 0;                   // index of the window under way
+  int counted_ = 0;                        // instants delivered in the analysis under way
+  long sum_ = 0;                           // updates so far in the window under way
+  double began_ = 0, analysis_began_ = 0;  // clock [s] when window and analysis under way began
 };
 
-/// A delivery that tells the windows of each instant.
+/// A delivery that counts each instant in timing windows.
 class WindowedDelivery final : public Delivery {
  public:
   WindowedDelivery(std::size_t coordinates, Level level, TimingWindows& windows)
