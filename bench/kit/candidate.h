@@ -15,14 +15,14 @@ namespace desmo::bench {
 
 /// The run that verifies a candidate: what is found and measured.
 struct VerifyingRun {
-  std::string model{};    ///< digest of the model, of a request's the whole; may be empty
-  std::string results{};  ///< digest of what was compared with the reference, or empty
-  Differences errors{};   ///< from the reference, up to `level`
+  std::string model{};    ///< digest of the model, for a request of the whole one; empty: not known
+  std::string results{};  ///< digest of what was compared with the reference; empty: not known
+  Differences errors{};   ///< largest differences from the reference, up to `level`
   Level level = Level::acceleration;
-  double setup_seconds = 0;     ///< CPU: analysis, ordering, allocation
-  double analysis_seconds = 0;  ///< of the analysis that was verified, by the candidate's clock
+  double setup_seconds = 0;     ///< CPU time of analysis, ordering and allocation [s]
+  double analysis_seconds = 0;  ///< time of the verified analysis by the candidate's clock [s]
   double iterations_per_step = 0;
-  std::optional<double> residual{};  ///< nothing: not known
+  std::optional<double> residual{};  ///< BasicSummary::residual; nothing: not known
   /// Heap memory [bytes] that the formulation keeps, libraries included; a step touches less.
   /// 0: not known.
   long bytes = 0;
@@ -38,8 +38,8 @@ struct Refusal {
   std::string reason;
 };
 
-/// An analysis: solves the whole motion, assembly and delivery included, again and again while its
-/// time is taken. Throws std::exception where that fails.
+/// A function that solves the whole motion once, assembly and delivery included. It is called again
+/// and again while its time is taken. Throws std::exception where the motion cannot be solved.
 using Analysis = std::function<void()>;
 
 /// A formulation, or a peer, that solves a motion. It is verified first. Only then it can be timed;
@@ -64,8 +64,8 @@ class Candidate {
   /// candidate brings its own. Does nothing when it was verified or refused before.
   void verify();
 
-  /// Measures where the time goes, for candidates whose split is shown. Does nothing unless it is
-  /// verified.
+  /// Measures how the time divides into phases, for candidates of which a record shows that. Does
+  /// nothing unless it is verified.
   virtual void profile() {}
 
   /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
@@ -78,7 +78,7 @@ class Candidate {
   /// Adds a time that was measured by clock(). Does nothing unless it is verified.
   void add_sample(double seconds);
 
-  const std::vector<double>& seconds() const { return seconds_; }  ///< samples
+  const std::vector<double>& seconds() const { return seconds_; }  ///< samples of the time [s]
   const TimingWindows& windows() const { return windows_; }  ///< timing windows of all analyses
   bool is_verified() const { return is_verified_; }
   bool is_failed() const { return is_refused(Refusal::Kind::failed); }
@@ -90,8 +90,8 @@ class Candidate {
   const VerifyingRun& verifying_run() const { return verifying_run_; }
 
   const TimeGrid& grid() const { return grid_; }
-  int threads() const { return threads_; }  ///< on which it is solved
-  Clock clock() const { return clock_; }    ///< of seconds, windows and the verified analysis
+  int threads() const { return threads_; }  ///< number of threads on which it is solved
+  Clock clock() const { return clock_; }    ///< clock of samples, windows and verified analysis
 
  protected:
   /// Several threads are timed by the wall clock, whatever `by` says.
@@ -116,7 +116,7 @@ class Candidate {
   void measure(const std::function<void()>& measurement);
   static Refusal failed(std::string why) { return {Refusal::Kind::failed, std::move(why)}; }
   static Refusal not_run(std::string why) { return {Refusal::Kind::not_run, std::move(why)}; }
-  /// Drops all samples.
+  /// Refuses the candidate for good, and drops all samples.
   void refuse(Refusal why);
 
  private:

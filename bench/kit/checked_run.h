@@ -9,8 +9,8 @@
 
 namespace desmo::bench {
 
-/// Ends of the id of a formulation whose run is checked, as in `desmo solve --check`: what that
-/// costs is part of what is timed or counted.
+/// Suffixes of the id of a formulation whose run is checked, as by `desmo solve --check`. What is
+/// timed or counted then includes the check.
 inline constexpr std::array<std::pair<std::string_view, CheckMode>, 2> check_suffixes{
     {{"/check:proof", CheckMode::proof}, {"/check:sample", CheckMode::sample}}};
 
@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 4> checked_ids{
     "global_automatic_klu", "group_symbolic_inlined", "block_symbolic_inlined",
     "group_symbolic_explicit"};
 
-/// Returns how a run of that id is checked.
+/// Returns the check that an id's suffix asks for; none without a suffix.
 inline CheckMode check_of(std::string_view id) {
   for (const auto& [suffix, mode] : check_suffixes)
     if (id.ends_with(suffix)) return mode;
@@ -33,13 +33,13 @@ inline std::string_view suffix_of(CheckMode mode) {
   return {};
 }
 
-/// Returns the id of the formulation itself.
+/// Returns an id without the suffix of its check.
 inline std::string_view formulation_of(std::string_view id) {
   return id.substr(0, id.size() - suffix_of(check_of(id)).size());
 }
 
-/// Runs a motion, under a check unless the mode is none. Throws std::runtime_error where a row is
-/// flagged: that is not the motion whose cost is asked for.
+/// Runs a motion, under a check unless the mode is none. Throws std::runtime_error where the motion
+/// was solved, but the check flags a row: its cost would not be that of an ordinary motion.
 inline Summary run_under_check(Formulation& formulation, const TimeGrid& grid, const Request& asked,
                                Observer& observer, CheckMode mode) {
   if (mode == CheckMode::none) return formulation.run(grid, asked, observer);

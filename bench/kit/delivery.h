@@ -30,7 +30,7 @@ class Delivery : public Observer {
   }
   bool any_order() const noexcept override { return true; }
 
-  /// Return the values of the last instant; empty above the level.
+  /// Return the values of the instant observed last; empty above the level, or before any.
   std::span<const double> q() const { return shown(last_.q); }
   std::span<const double> qd() const { return shown(last_.qd); }
   std::span<const double> qdd() const { return shown(last_.qdd); }

@@ -11,7 +11,7 @@ namespace desmo::bench {
 
 namespace {
 
-// Numbers of the text of a model, a blank before each.
+// text_of() returns numbers as text, with a blank before each.
 
 std::string text_of(int value) { return ' ' + std::to_string(value); }
 

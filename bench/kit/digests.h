@@ -17,10 +17,10 @@ namespace desmo::bench {
 /// choice, makes no other model of it.
 std::string model_digest(const Model& model);
 
-/// Returns the multiple of `unit` next to a value. Within one unit of the reference, a value counts
-/// as the reference, so that equally right results never round apart, wherever they lie; further
-/// away, the two do not round alike. All that is no number, or larger than 10¹⁸ units, is the same
-/// multiple.
+/// Returns the multiple of `unit` nearest to a value. Within one unit of the reference, a value
+/// counts as the reference, so that equally right results never round apart, wherever they lie;
+/// farther away, the two do not round alike. NaN, and all values whose magnitude exceeds 10¹⁸
+/// units, have one common multiple.
 std::int64_t rounded(double value, double reference, double unit);
 
 }  // namespace desmo::bench

@@ -102,9 +102,9 @@ std::vector<Compared> FormulationCandidate::compared(
   return all_compared(delivered(), request_.level, scales);
 }
 
-/// Threads and their processors are awake afterwards. From asleep that may take as long as a
-/// motion, and longer where the processors are not the system's own. One thread that several are
-/// compared with is treated alike.
+/// Makes a formulation and assembles it. By the wall clock, then runs it until its threads and
+/// their processors are awake: to wake them may take as long as a motion, and longer on virtual
+/// machines. This also holds for one thread with which several are compared.
 std::unique_ptr<Formulation> FormulationCandidate::make_assembled() const {
   auto formulation = make_formulation();
   static_cast<void>(formulation->assemble(grid().time(0), request_.level));  // verified to go well

@@ -19,8 +19,8 @@ class FormulationCandidate : public Candidate {
  public:
   /// The problem must outlive the candidate.
   FormulationCandidate(const Problem& problem, const Configuration& configuration);
-  /// id: as parse_id takes it, which throws for an unusable one. It stays the candidate's id;
-  /// `others` are the settings that it does not name.
+  /// id: as parse_id() takes it, which throws for an unusable one; it stays the candidate's id.
+  /// others: settings that the id does not name.
   FormulationCandidate(const Problem& problem, std::string_view id, const Settings& others);
 
   const Problem& problem() const { return problem_; }
@@ -32,8 +32,8 @@ class FormulationCandidate : public Candidate {
   /// measures one thread, for comparison with several.
   std::string id() const;
   std::string name() const override;
-  const std::string& case_name() const;  ///< of the problem
-  /// Returns the number of coordinates of the whole model, or of those delivered of it.
+  const std::string& case_name() const;  ///< <case> in its name
+  /// Returns the number of coordinates of Problem::whole or, without it, of those delivered.
   int coordinates() const;
 
   /// Takes a sample of a step's time by a formulation made anew on a fresh heap (see step_seconds).
@@ -41,17 +41,18 @@ class FormulationCandidate : public Candidate {
   void sample_afresh(double duration);
   /// Returns the least of the samples; infinite when there is none.
   double min_seconds() const;
-  /// Returns whether two samples are enough: it has them, and its motion takes longer than
-  /// long_motion_seconds [s], so that more samples would cost too much.
+  /// Returns whether it has two samples or more and needs no others, since its motion takes longer
+  /// than long_motion_seconds [s].
   bool has_enough_samples(double long_motion_seconds) const;
 
  protected:
-  /// id: without settings that all candidates share.
+  /// id: the candidate's id, without settings that all candidates share. configuration: with them.
   FormulationCandidate(const Problem& problem, std::string_view id,
                        const Configuration& configuration, Clock by = Clock::cpu);
 
-  /// Compares with the problem's own reference, where it has one. The allowed difference grows with
-  /// a tolerance above the usual one.
+  /// Compares with the problem's own reference or, where it has none, with shared_reference(). The
+  /// allowed difference is multiplied by Problem::tolerance divided by the usual one, if that is
+  /// more than 1.
   Checked check(VerifyingRun& found) override;
 
   /// Runs the whole motion, which is what is verified and timed; by default without checks.
@@ -69,7 +70,7 @@ class FormulationCandidate : public Candidate {
   Analysis make_analysis(TimingWindows& windows) const override;
   std::unique_ptr<Formulation> make_assembled() const;
   std::vector<Compared> compared(std::span<const ReferenceInstant> reference) const;
-  std::size_t delivered() const;  ///< number of coordinates
+  std::size_t delivered() const;  ///< number of coordinates that are delivered
 
   const Problem& problem_;
   const std::string id_;

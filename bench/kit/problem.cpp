@@ -10,7 +10,7 @@ namespace desmo::bench {
 
 namespace {
 
-/// Limit of coordinates above which a reference in quadruple precision takes minutes.
+/// Number of coordinates above which (>) a reference in quadruple precision takes minutes.
 constexpr int max_quadruple = 12'000;
 
 }  // namespace

@@ -15,25 +15,25 @@
 
 namespace desmo::bench {
 
-/// A motion that candidates solve, and what is right.
+/// A motion that candidates solve, and the reference with which they are compared.
 struct Problem {
   Plan plan;  ///< the part of the model that is solved; no outputs or levels: everything
   TimeGrid grid;
-  Reference reference = {};  ///< at instants of the grid, the first and the last among them
+  Reference reference = {};  ///< right answers at instants of the grid; empty: shared_reference()
   double tolerance = Settings{}.tolerance;
   /// The origin of the reference. "quadruple": two solutions in quadruple precision, which agree.
   /// "double": one in double precision, by code that no formulation uses, where the two would take
   /// minutes.
   const char* checked_against = "quadruple";
-  /// Returns why a formulation is not to be run, empty: it is; no function: all are.
+  /// Returns why a formulation is not to be run; empty: it is to be run. No function: all are.
   std::function<std::string(const Configuration&)> missing{};
-  KernelTable kernels{};  ///< generated code, apart from what desmo was built with
+  KernelTable kernels{};  ///< generated code, in addition to what desmo was built with
   /// The coordinates that are delivered and compared, in the order of the reference; empty: all.
   std::vector<int> delivered{};
   /// The values that are compared; empty: all that is delivered.
   std::vector<Compared> compared{};
-  /// Differences are relative to the mechanism's size, speed and acceleration: its unit of length
-  /// may be any.
+  /// Differences are divided by the scales of the motion (coordinate_scales()), so that the unit of
+  /// length may be any. Else they are absolute.
   bool is_relative = false;
   std::optional<Model> whole{};  ///< the model whose motion is the reference's, unless the plan's
   std::string case_name{};       ///< <case> in names of benchmarks; empty: the mechanism's name
@@ -41,15 +41,17 @@ struct Problem {
   Level level() const { return plan.outputs.empty() ? Level::acceleration : plan.level(); }
 };
 
-/// Returns what the plan keeps, compared at instants all over the grid, at least 2, in no regular
-/// distances; all of the grid when it has no more. Throws what make_reference throws.
+/// Returns the problem of a plan, with a reference at `compared` instants, 2 or more, at irregular
+/// distances all over the grid (spread_times()); at all instants if there are no more. Throws what
+/// make_reference throws.
 Problem make_problem(Plan plan, const TimeGrid& grid, int compared);
 
-/// Returns a whole model, compared at the first, the middle and the last instant. Throws what
-/// make_reference throws, and see require_agreement.
+/// Returns the problem of a whole model, with a reference at the first, the middle and the last
+/// instant. Throws what make_reference and require_agreement throw.
 Problem make_problem(Model model, const TimeGrid& grid, double tolerance);
 
-/// Returns the number of coordinates to be found at every instant: neither driven nor at rest.
+/// Returns the number of coordinates to be found at every instant, which are neither driven nor at
+/// rest.
 int moving_unknowns(const Model& model);
 
 }  // namespace desmo::bench

@@ -15,8 +15,8 @@ inline bool is_dense_global(const Variant& variant) {
   return variant.partition == Partition::global && backend && backend->dense;
 }
 
-/// Returns why a variant is too slow to be timed with many coordinates, though not dense: what it
-/// serves instead. Empty: it is not.
+/// Returns why a variant's library is too slow to be timed with many coordinates; empty: it is not.
+/// Says nothing of dense global solves (is_dense_global()).
 inline std::string_view slow_reason(const Variant& variant) {
   const Backend* const backend = find_backend(variant.algebra);
   if (!backend) return {};

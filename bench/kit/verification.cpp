@@ -19,8 +19,8 @@ namespace desmo::bench {
 
 namespace {
 
-constexpr int instants_compared = 51;
-/// Allowed difference of two quadruple solutions, relative to the mechanism's scales.
+constexpr int instants_compared = 51;  // largest number of instants of a shared reference
+/// Allowed difference (≤) of two quadruple solutions, relative to the mechanism's scales.
 constexpr double highest_floor = 1e-20;
 
 }  // namespace
@@ -136,7 +136,7 @@ std::vector<double> spread_times(const TimeGrid& grid, int count) {
   std::vector<double> times;
   for (long i = 0; i < pieces; ++i) {
     const long begin = i * last / pieces, end = (i + 1) * last / pieces;
-    const double turns = static_cast<double>(i) * std::numbers::phi;  // falls everywhere
+    const double turns = static_cast<double>(i) * std::numbers::phi;  // its fractions fill [0, 1)
     const double part = (turns - std::floor(turns)) * static_cast<double>(end - begin);
     times.push_back(grid.time(static_cast<int>(begin + static_cast<long>(part))));
   }

@@ -13,46 +13,47 @@
 
 namespace desmo::bench {
 
-/// Largest differences over all coordinates and compared instants, absolute, in units of the case.
-/// The suite's own cases are of ordinary size, so one allowed difference fits them all, and a
-/// scale, itself computed, cannot hide an error. Errors of formulations/verification are relative:
-/// they judge mechanisms of any size.
+/// Largest differences over all compared coordinates and instants. Those of the suite's own cases
+/// are absolute, in units of the case: the cases are of ordinary size, so that one allowed
+/// difference fits them all, and a scale, itself computed, cannot hide an error. Those of a user's
+/// scene are relative (Compared::scale), like the errors of formulations/verification.
 struct Differences : PerLevel<double> {
-  int instants = 0;
+  int instants = 0;  ///< number of instants compared
 };
 
-/// Raises `largest` to |a − b| where that is larger; NaN counts as infinitely wrong.
+/// Raises `largest` to |a − b| where that is larger; NaN counts as an infinite difference.
 void raise_to_difference(double& largest, double a, double b);
 
-/// Largest allowed differences of q, q̇ and q̈ from the quadruple-precision reference, in units of
-/// the case.
+/// Largest allowed differences (≤) of q, q̇ and q̈ from the reference, in units of the case or, where
+/// differences are relative, of their scales.
 inline constexpr PerLevel<double> allowed_difference{1e-9, 1e-8, 1e-7};
 
 /// The result of a comparison with a reference.
 struct Comparison {
   Differences errors;
-  std::string results;  ///< digest of the values compared, each rounded to its allowed difference
+  std::string results;  ///< digest of the values, each as a multiple of its allowed difference
 };
 
-/// A value that is compared: its place in what is delivered and in the reference, and the scale by
-/// which a difference is divided.
+/// A value that is compared: its index in what is delivered and in the reference, its level, and
+/// the scale by which a difference is divided.
 struct Compared {
   int delivered, reference;
   Level level;
   double scale = 1;
 };
 
-/// Returns all coordinates, each at the same place in both, one level after the other.
+/// Returns all values up to a level, one level after the other, where each coordinate has the same
+/// index in what is delivered and in the reference.
 ///
-/// scales: of each coordinate at each level (coordinate_scales); empty: 1.
+/// scales: scale of each coordinate at each level (coordinate_scales); empty: 1.
 std::vector<Compared> all_compared(std::size_t coordinates, Level highest,
                                    const PerLevel<std::vector<double>>& scales = {});
 
 /// A delivery that also copies the results q, q̇, q̈ at the times of a reference, to compare them.
 class ComparingObserver final : public Delivery {
  public:
-  /// coordinates, level: of the request. The reference outlives this.
-  /// compared: none above that level.
+  /// coordinates, level: number of coordinates and level of the request. compared: values of that
+  /// level or below. The reference must outlive the observer.
   ComparingObserver(std::size_t coordinates, Level level,
                     std::span<const ReferenceInstant> reference, std::vector<Compared> compared);
 
@@ -66,17 +67,17 @@ class ComparingObserver final : public Delivery {
   };
 
   std::span<const ReferenceInstant> reference_;
-  std::vector<Copy> copies_;  // by instant of the reference
+  std::vector<Copy> copies_;  // one for each instant of the reference
   const std::vector<Compared> compared_;
 };
 
-/// Returns the scales of coordinates in a motion that the reference samples (Scales); 1 where
-/// nothing moves.
+/// Returns the scales of coordinates in a motion that the reference samples (Scales); 1 for fixed
+/// coordinates, and for rates where nothing moves.
 PerLevel<std::vector<double>> coordinate_scales(const Model& model,
                                                 std::span<const ReferenceInstant> reference);
 
-/// Returns the verification failure, in words. Empty when all errors are at most `times` the
-/// allowed differences, at as many instants as expected.
+/// Returns the verification failure, in words; empty when all errors are at most `times` the
+/// allowed differences, and as many instants were compared as expected.
 std::string verification_failure(const Differences& errors, std::size_t expected_instants,
                                  double times = 1);
 
@@ -85,19 +86,21 @@ std::string verification_failure(const Differences& errors, std::size_t expected
 /// relative to the mechanism's size, largest speed and largest acceleration.
 void require_agreement(const Model& model, const PerLevel<double>& floor);
 
-/// Returns which parts are not what the formulation's id says; empty: none. Without generated code
-/// a part falls back to automatic equations, and is not to be timed under that id.
+/// Returns how many parts lack the generated code that the formulation's id promises, in words;
+/// empty: none. Such a part falls back to automatic equations, and must not be timed under that id.
 std::string missing_code(const Formulation& formulation);
 
-/// Returns one time of each of count − 1 equal pieces of the grid, and its last; the first of them
-/// all. count: 2 or more. They lie in no regular distances, where all might be multiples of a
-/// stride: nothing that is interpolated would be compared.
+/// Returns `count` times [s] of a grid, 2 or more: the last one, and one from each of count − 1
+/// pieces of equal length, which in the first piece is the grid's first. Their distances are
+/// irregular. At regular ones all might be multiples of a stride, so that nothing that is
+/// interpolated would be compared.
 std::vector<double> spread_times(const TimeGrid& grid, int count);
 
-/// Returns the quadruple-precision reference, at instants spread over the motion, of a formulation
-/// that solves every stride-th instant (Settings::stride). It is made once for each model and grid,
-/// shared by all formulations, and kept to the end of the process. Call it from one thread at a
-/// time. Throws std::runtime_error when there is none: see make_reference and require_agreement.
+/// Returns the quadruple-precision reference of a motion at up to 51 instants, first and last among
+/// them. For a formulation that interpolates (Settings::stride above 1) these are spread_times(),
+/// else evenly spaced. A reference is made once for each model and grid, shared by all
+/// formulations, and kept to the end of the process. Call it from one thread at a time. Throws
+/// std::runtime_error when there is none: see make_reference and require_agreement.
 std::span<const ReferenceInstant> shared_reference(const Model& model, const TimeGrid& grid,
                                                    int stride = 1);
 
