@@ -28,12 +28,12 @@ namespace {
 /// ours, with the fastest sparse solver, so that nothing slower of ours counts against it.
 constexpr const char* formulation_of_rates = "global_automatic_klu";
 
-/// The equations of one constraint that are kept, as functions of its unknown entities.
+/// The equations of one constraint that the model keeps, as functions of its unknown entities.
 template <class Kind>
 class ConstraintCost final : public ceres::CostFunction {
  public:
-  /// fixed: for each operand where its value stands, or null where Ceres gives it.
-  /// weights: 1/magnitude of each row, so that what ends the iterations is the norm that ends ours.
+  /// fixed: address of each operand's value; null for an unknown, whose value Ceres gives.
+  /// weights: 1/magnitude of each row, so that the norm that ends the iterations is that of ours.
   ConstraintCost(const Constraint& constraint,
                  const std::array<const double*, Kind::operand_sizes.size()>& fixed,
                  const std::array<double, Kind::rows>& weights)
@@ -78,9 +78,9 @@ class ConstraintCost final : public ceres::CostFunction {
 
   std::array<const double*, Kind::operand_sizes.size()> fixed_;
   std::array<double, Kind::rows> weights_;
-  std::array<int, Kind::operand_sizes.size()> block_;  // of each operand, or -1
+  std::array<int, Kind::operand_sizes.size()> block_;  // parameter block of each operand; -1: fixed
   std::vector<double> constants_;
-  std::array<int, Kind::rows> place_;  // of each row among the residuals, or -1
+  std::array<int, Kind::rows> place_;  // index of each row among the residuals; -1: left out
 };
 
 /// Ends Ceres' iterations as Newton's are ended: when the norm of the equations is small enough.
@@ -92,11 +92,11 @@ class StopAtTolerance final : public ceres::IterationCallback {
   }
 
  private:
-  double cost_;  // ‖Φ‖²/2
+  double cost_;  // limit (<) of ‖Φ‖²/2
 };
 
-/// No step is damped: far from singular positions that is Newton's method, which nothing beats
-/// here.
+/// Returns options with a trust region so large that no step is damped. Far from singular positions
+/// that is Newton's method, which is the fastest here.
 ceres::Solver::Options newton(ceres::IterationCallback& stop, int max_iterations) {
   ceres::Solver::Options o;
   o.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
@@ -130,7 +130,7 @@ class CeresPeer final : public Peer {
     for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
       if (!m.groups[m.constraints[c].group].constant && kept_rows(m.constraints[c]) > 0)
         add(c, magnitudes);
-    for (const auto& part : parts_of(*rates_))  // global: one that moves
+    for (const auto& part : parts_of(*rates_))  // a global formulation has one part that moves
       if (!part.definition.constant) runs_ = ranges_of(part.definition.unknowns);
     answer_.coordinates.resize(m.coordinates());
     for (int i = 0; i < m.coordinates(); ++i) answer_.coordinates[i] = i;
@@ -189,8 +189,9 @@ class CeresPeer final : public Peer {
     deliver();
   }
 
-  /// Velocities and accelerations; positions only of what rests. Returns the largest number of
-  /// iterations that a part has found necessary.
+  /// Solves the constant parts, or else the others for velocities and accelerations: at positions
+  /// that Ceres has found, their solvers take no iteration. Returns the largest number of
+  /// iterations that a part has taken.
   int solve_parts(bool constant) {
     int iterations = 0;
     for (const auto& part : parts_of(*rates_)) {
@@ -215,10 +216,10 @@ class CeresPeer final : public Peer {
   StopAtTolerance stop_;
   ceres::Solver::Options options_;
   ceres::Problem problem_;
-  State state_;  // Ceres' parameter blocks are places in its q
+  State state_;  // its q contains Ceres' parameter blocks
   std::vector<bool> is_unknown_;
-  std::vector<IndexRange> runs_;  // of the unknowns
-  double time_ = 0;               // of the last instant
+  std::vector<IndexRange> runs_;  // ranges of the unknowns in q
+  double time_ = 0;               // time of the last instant [s]
 };
 
 std::string version() { return CERES_VERSION_STRING; }

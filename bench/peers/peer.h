@@ -14,8 +14,9 @@
 
 namespace desmo {
 
-/// The kinematics of a mechanism solved by another library, or by code written for it by hand. The
-/// interface includes no library's headers: what these need of the compiler stays in their file.
+/// A solver of a mechanism's kinematics that is another library, or code written by hand for this
+/// mechanism. The interface includes no library's headers: what these need of the compiler stays in
+/// the files that include them.
 class Peer {
  public:
   /// Coordinates of the model that the peer finds, each once, and their values in this order. Some
@@ -32,16 +33,16 @@ class Peer {
   /// Announces the grid whose instants follow, in order from the first.
   virtual void expect(const TimeGrid& grid) { static_cast<void>(grid); }
 
-  /// Assembles the mechanism at time t (s) from its nominal position, whatever was solved before.
+  /// Assembles the mechanism at time t [s] from its nominal position, whatever was solved before.
   /// Throws std::exception, as step() does, when that fails.
   virtual void assemble(double t) = 0;
-  /// Solves at time t, starting from the definition's guess in its own coordinates.
+  /// Solves at time t [s], starting from PeerDefinition::guess in the peer's own coordinates.
   virtual void step(double t) = 0;
 
   /// Returns the instant solved last.
   const Answer& answer() const { return answer_; }
-  /// Returns the iterations of the peer's method for positions, since the last assembly and with
-  /// it.
+  /// Returns the number of iterations of the peer's method for positions, from the last assembly
+  /// on, which is included.
   long iterations() const { return iterations_; }
 
  protected:
@@ -51,16 +52,16 @@ class Peer {
   long iterations_ = 0;
 };
 
-/// A peer by its name.
+/// A kind of peer, with the function that makes one.
 struct PeerDefinition {
   std::string_view name;
-  std::string_view library;  ///< library that it is made of, for people
+  std::string_view library;  ///< library that it uses, for people
   std::string (*version)();
   std::string_view method;  ///< how it is used, in a sentence
-  /// The model of a case. Scene and mechanism (the scene's) must outlive it. Throws
-  /// std::invalid_argument when the case is none that it knows.
+  /// Makes a peer for a case. Scene and model must outlive it. Throws std::invalid_argument when it
+  /// has no model of the case.
   std::unique_ptr<Peer> (*make)(const Scene& scene, const Model& model);
-  /// The start of its steps: quadratic is q + q̇ h + q̈ h²/2 of the last instant.
+  /// Prediction with which its steps start: quadratic is q + q̇ h + q̈ h²/2 of the last instant.
   Guess guess = Guess::quadratic;
 };
 

@@ -31,7 +31,7 @@ constexpr std::string_view by_hand = "by hand with Eigen",
 }  // namespace
 
 #ifdef DESMO_PEERS
-// Each is defined in the file that solves by it.
+// Each of these is defined in the file that uses the library.
 extern const std::array<PeerDefinition, 2> simbody_peers;
 extern const PeerDefinition ceres_peer;
 #endif

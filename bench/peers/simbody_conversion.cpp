@@ -30,7 +30,8 @@ class Builder {
   Vec position(const std::string& point) const { return named(d_.points, point).position; }
   Vec direction(const std::string& vector) const { return named(d_.vectors, vector).direction; }
 
-  /// Hangs a body on another by a joint at a point of both. Asks for its points and vectors.
+  /// Hangs a body on another by a joint at a point of both. Follows its points and vectors. Returns
+  /// the body's index in the tree.
   int hang(const std::string& name, int parent, Joint joint, const std::string& at,
            const Vec& axis = {0, 0, 1}, const Vec& second_axis = {}) {
     const Mechanism::Body& body = named(d_.bodies, name);
@@ -45,7 +46,7 @@ class Builder {
     return number;
   }
 
-  /// Asks for the vectors of a body that turns as that of the tree.
+  /// Follows the vectors of a body of the mechanism that turns like body `body` of the tree.
   void follow_vectors(const std::string& name, int body) {
     for (const int v : named(d_.bodies, name).vectors)
       follow(d_.vectors[v].name, body, false, d_.vectors[v].direction);
@@ -63,7 +64,8 @@ class Builder {
                                 length});
   }
 
-  /// Adds a driver, which counts from the nominal position. Returns its number.
+  /// Adds a driver. zero: its value where the joint's coordinate is 0. Returns its index in
+  /// Tree::drivers.
   int drive(const Motion& motion, double zero = 0) {
     tree.drivers.push_back([&motion, zero](double t) -> Vec {
       const MotionSample<double> z = sample(motion, t);
@@ -89,10 +91,10 @@ class Builder {
  private:
   struct Frame {
     Vec origin;
-    std::optional<Derived> length;  // of a link from there
+    std::optional<Derived> length;  // exact length of a link that begins at `origin`; else nothing
   };
 
-  /// Asks for an entity that is fixed to a body, unless it rests or is asked for already.
+  /// Follows an entity that is fixed to a body, unless it is at rest or followed already.
   void follow(const std::string& name, int body, bool is_point, const Vec& in_body) {
     const EntityId id = model_.find(name);
     const Entity& entity = model_.entities[id];
@@ -104,19 +106,19 @@ class Builder {
 
   const Mechanism& d_;
   const Model& model_;
-  std::vector<Frame> frames_;  // of the tree's bodies
+  std::vector<Frame> frames_;  // one for each body of the tree
 };
 
 Tree four_bar(const Scene& scene, const Model& model) {
   Builder b(scene, model);
   const int dyads = static_cast<int>(scene.mechanism.bodies.size() - 2) / 2;
   const auto dyad = [](int k) { return "dyad" + std::to_string(k) + "/"; };
-  std::vector<int> turning(dyads + 1);  // crank and rockers
+  std::vector<int> turning(dyads + 1);  // indices in the tree of the crank and of the rockers
   const auto join = [&](int k) {
     b.join(dyad(k) + "coupler", turning[k - 1], k == 1 ? "crank/B" : dyad(k - 1) + "C", turning[k],
            dyad(k) + "C");
   };
-  // The order that records have been measured in: the crank late, and with it the first coupler.
+  // This order is that of earlier records: the crank comes late, and with it the first coupler.
   for (int k = 1; k <= dyads; ++k) {
     if (k == dyads) turning[0] = b.hang("crank", ground, Joint::pin, "crank/A");
     turning[k] = b.hang(dyad(k) + "rocker", ground, Joint::pin, dyad(k) + "D");

@@ -15,10 +15,11 @@ namespace desmo::simbody {
 /// - A driven angle is a prescribed pin; a driven height is a prescribed slider, and a plane that
 ///   moves with it.
 ///
-/// The tree asks for all points and vectors of its bodies that move. Relative coordinates, and the
-/// vectors of rods, are not found.
-/// - scene: its mechanism in the nominal position, and its motions; it must outlive the tree
-/// - model: the mechanism's, which says where coordinates stand
+/// The tree follows (Tree::followed) all points and vectors of its bodies that move. Relative
+/// coordinates, and the vectors of rods, are not found.
+/// - scene: its mechanism gives the nominal position, its motions the drivers; must outlive the
+/// tree
+/// - model: model of the mechanism, which gives the indices of coordinates
 ///
 /// Throws std::invalid_argument, naming the mechanism, unless it is one of the two.
 Tree convert(const Scene& scene, const Model& model);

@@ -10,7 +10,7 @@ namespace {
 
 namespace sim = SimTK;
 
-/// Tolerance on the root mean square of the constraint errors, as Simbody measures.
+/// Tolerance on the root mean square of the constraint errors, as Simbody measures them.
 constexpr double accuracy = 1e-10;
 
 class RealizingSolver : public Solver {
@@ -154,8 +154,8 @@ class DirectSolver final : public RealizingSolver {
     return accelerations_[built_.bodies[body].getMobilizedBodyIndex()];
   }
 
-  std::vector<int> driver_;  // of each mobility, or -1
-  std::vector<int> free_;    // mobilities without one
+  std::vector<int> driver_;  // by mobility: index in Tree::drivers; -1: it is free
+  std::vector<int> free_;    // indices of the free mobilities
   sim::Matrix g_, free_columns_;
   sim::FactorLU factors_;
   sim::Vector b_, x_, udot_, qdotdot_;

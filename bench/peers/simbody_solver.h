@@ -25,33 +25,33 @@ enum class Joint {
 struct Body {
   int parent;  ///< -1: the ground
   Joint joint;
-  Vec place;  ///< of the joint, in the parent's frame
+  Vec place;  ///< place of the joint in the parent's frame
   Vec axis{}, second_axis{};
-  int driver = -1;  ///< of the coordinate of a pin or slider: position in Tree::drivers
+  int driver = -1;  ///< index in Tree::drivers of the driver of a pin or slider; -1: it is free
 };
 
-/// A constraint that closes a loop. Points and directions are in the frames of their bodies; -1:
-/// the ground.
+/// A constraint that closes a loop between two bodies; -1: the ground. Points are in the frames of
+/// their bodies, `direction` is in that of the first body.
 struct Constraint {
   enum class Kind {
     rod,             ///< the points have a constant distance
     point_on_line,   ///< the second point stays on the line through the first along `direction`
-    point_in_plane,  ///< the second point stays in the plane through the first normal to it
+    point_in_plane,  ///< the second point stays in the plane through the first, of that normal
   };
   Kind kind;
   std::array<int, 2> bodies;
   std::array<Vec, 2> points;
   Vec direction{};
-  double length = 0;
+  double length = 0;  ///< length of a rod
 };
 
-/// A point or a direction that is fixed to a body and asked for: a position of the point in the
-/// ground's frame, or the direction's components there.
+/// A point or a direction that is fixed to a body and followed: the solver gives the point's
+/// position, or the direction's components, in the ground's frame.
 struct Followed {
   int body;
   bool is_point;
   Vec in_body;
-  int coordinate;  ///< the first component's place in the model
+  int coordinate;  ///< index of the first component in the model's coordinates
   int components;  ///< 3, or 2: x and y only
 };
 
@@ -88,7 +88,7 @@ class Solver {
   /// Returns the components of all of Tree::followed at the last instant, in their order, then
   /// their first and their second time derivatives.
   virtual const std::array<std::vector<double>, 3>& values() const = 0;
-  /// Returns the iterations of projectQ, since the last assembly and with it.
+  /// Returns the number of iterations of projectQ from the last assembly on, which is included.
   virtual long iterations() const = 0;
 };
 

@@ -8,12 +8,12 @@ namespace sim = SimTK;
 
 sim::Vec3 vec3(const Vec& v) { return {v[0], v[1], v[2]}; }
 
-/// A rotation that turns a joint's own axis into the one it should have.
+/// Returns a rotation that turns a joint's own axis, as Simbody defines it, to a given axis.
 sim::Rotation turning(const sim::CoordinateAxis& own, const Vec& axis) {
   return sim::Rotation(sim::UnitVec3(vec3(axis)), own);
 }
 
-/// A coordinate with prescribed positions.
+/// A prescribed motion of a coordinate.
 class Prescribed final : public sim::Motion::Custom::Implementation {
  public:
   explicit Prescribed(std::function<Vec(double)> motion) : motion_(std::move(motion)) {}

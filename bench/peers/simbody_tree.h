@@ -1,7 +1,7 @@
 #pragma once
 
-// A tree of Simbody's bodies, made from the plain data that describe it. For simbody_*.cpp that
-// include Simbody (see simbody_solver.h).
+// A tree of Simbody's bodies, made from the plain data that describe it (Tree). Only sources that
+// include Simbody may include this (see simbody_solver.h).
 
 #include <SimTKsimbody.h>
 
@@ -21,7 +21,7 @@ struct BuiltTree {
 
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter{system};
-  std::vector<SimTK::MobilizedBody> bodies;  ///< in the order of the data
+  std::vector<SimTK::MobilizedBody> bodies;  ///< in the order of Tree::bodies
 };
 
 }  // namespace desmo::simbody
