@@ -14,7 +14,7 @@ namespace {
 
 const Vec vertical = Vec::UnitZ();
 
-/// e_y × a and e_z × a.
+/// Return e_y × a and e_z × a.
 Vec about_lateral(const Vec& a) { return {a.z(), 0, -a.x()}; }
 Vec about_vertical(const Vec& a) { return {-a.y(), a.x(), 0}; }
 
@@ -22,8 +22,8 @@ Vec about_vertical(const Vec& a) { return {-a.y(), a.x(), 0}; }
 
 /// The part of the heights of the wheels that depends on neither ψ nor θ.
 struct Axle::Roll {
-  Moving<double> sine, cosine;  // of ρ
-  double rate, second_rate;     // of ρ
+  Moving<double> sine, cosine;  // sin ρ and cos ρ
+  double rate, second_rate;     // ρ̇ and ρ̈
   /// The height of S is base + cos ρ m(θ) with m = w_x sin θ − w_z cos θ, w being the left wheel's.
   Moving<double> base;
 };
@@ -34,8 +34,8 @@ struct Axle::Closure {
   Vec roll_axis;              // Rz(ψ) e_x
   Vec s, x, y, z;             // S and the axle's frame
   Vec arm;                    // S − R
-  Vec rise;                   // of S for each unit of its height: it moves on a circle about R
-  double pitch_lift;          // of S for each unit of θ: ∂S/∂θ = pitch_lift · rise
+  Vec rise;                   // derivative of S by its height, as S moves on a circle about R
+  double pitch_lift;          // derivative of S's height by θ: ∂S/∂θ = pitch_lift · rise
   std::array<Vec, 2> r, rod;  // C − S, C − G
   Eigen::Vector2d g;          // (‖C − G‖² − L²)/2 of each rod
   Eigen::Matrix2d jacobian;   // ∂g/∂(ψ, θ)
@@ -58,7 +58,7 @@ Axle::Axle(const Mechanism& d, const std::string& prefix, double tolerance)
   }
 }
 
-/// zL − zR = track sin ρ; all that follows is its differentiation.
+/// Solves zL − zR = track sin ρ, and its first and second derivatives, for ρ.
 Axle::Roll Axle::roll(const Moving<double>& left, const Moving<double>& right) const {
   Roll roll;
   roll.sine = (1 / track_) * (left - right);
@@ -131,8 +131,9 @@ int Axle::solve(const Moving<double>& left, const Moving<double>& right, const A
   }
 }
 
-/// (C−G)·v = 0 and (C−G)·a + v·v = 0 at both rods, v and a being velocity and acceleration of C:
-/// what they are without ψ̇, θ̇ (ψ̈, θ̈) is moved to the right-hand side.
+/// Solves (C−G)·v = 0 and (C−G)·a + v·v = 0 of both rods for ψ̇, θ̇ and ψ̈, θ̈, where v and a are
+/// velocity and acceleration of C. Terms without these unknowns (`known_…`) are on the right-hand
+/// side.
 void Axle::solve_rates(const Closure& at, const Roll& roll, const Angles& angles) {
   const Eigen::Matrix2d inverse = at.jacobian.inverse();
   Eigen::Vector2d b;

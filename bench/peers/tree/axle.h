@@ -10,7 +10,7 @@
 
 namespace desmo::tree {
 
-/// The position of a rigid axle: its point S and its frame.
+/// The position of a rigid axle: its point S and its axes, with their rates.
 struct Pose {
   Moving<Vec> s, x, y, z;
 
@@ -29,31 +29,32 @@ struct Pose {
 /// This holds for the case, whose wheels are apart along y2 alone and whose S − R is normal to y1.
 class Axle {
  public:
-  /// ψ and θ, what Newton's method looks for. They are 0 in the nominal position.
+  /// The unknowns of Newton's method, ψ and θ [rad], and their rates. They are 0 in the nominal
+  /// position.
   struct Angles {
     std::span<double, 2> q, qd, qdd;
   };
 
-  /// prefix: of the axle's names.
+  /// prefix: first part of the axle's names. tolerance: see tolerance_.
   Axle(const Mechanism& mechanism, const std::string& prefix, double tolerance);
 
-  /// Names of what solve() delivers, in its order.
+  /// Returns the names of the entities that deliver() writes, in its order.
   static std::vector<std::string> delivered(const std::string& prefix);
 
-  /// Solves at the given heights of the wheels, starting from the angles given. They become the
-  /// solution's. Returns the iterations. Throws std::runtime_error, naming the axle, when the
-  /// heights are out of reach or Newton's method does not close the loops.
+  /// Solves at the given heights of the wheels. angles: start of Newton's method; receives the
+  /// solution. Returns the number of iterations. Throws std::runtime_error, naming the axle, when
+  /// the heights are out of reach or Newton's method does not close the loops.
   int solve(const Moving<double>& left, const Moving<double>& right, const Angles& angles);
 
   /// Returns the pose of the axle at the last solution.
   const Pose& pose() const { return pose_; }
-  /// Everything of these bodies at the last solution.
+  /// Writes the coordinates of delivered() at the last solution.
   void deliver(AnswerWriter& out) const;
 
  private:
   struct Rod {
-    Vec c;  ///< on the axle, from S in its frame
-    Vec g;  ///< on the chassis
+    Vec c;  ///< C on the axle: C − S in the axle's frame
+    Vec g;  ///< G on the chassis
     double length;
   };
   struct Roll;
@@ -64,11 +65,11 @@ class Axle {
   void solve_rates(const Closure& at, const Roll& roll, const Angles& angles);
 
   std::string prefix_;
-  double tolerance_;  // of √Σ (gᵢ/Lᵢ²)²
-  Vec pivot_;         // R, the arm's
-  double arm_;        // its length, with the sign of x of S − R
-  Vec left_, right_;  // wheel centres on the axle
-  double track_;      // between them, along y2
+  double tolerance_;  // limit (<) of √Σ (gᵢ/Lᵢ²)²
+  Vec pivot_;         // R, the point of the chassis about which the arm turns
+  double arm_;        // length of the arm, with the sign of the x component of S − R
+  Vec left_, right_;  // wheel centres, from S in the axle's frame
+  double track_;      // distance of the wheel centres along y2
   std::array<Rod, 2> rods_;
 
   Pose pose_;

@@ -1,4 +1,4 @@
-// Each dyad is the intersection of two circles; nothing is left for Newton's method.
+// A peer of four_bar in closed form: the joint C of each dyad is an intersection of two circles.
 
 #include <cmath>
 #include <stdexcept>
@@ -14,7 +14,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// a turned by 90° to the left.
+/// Returns a vector turned by 90° to the left.
 Vec2 left_of(const Vec2& a) { return {-a.y(), a.x()}; }
 
 Vec2 nominal_in_plane(const Mechanism& d, const std::string& point) {
@@ -25,7 +25,7 @@ Vec2 nominal_in_plane(const Mechanism& d, const std::string& point) {
 ///   C = D + r ρ,  ρ = (cos ψ, sin ψ),  ‖C − B‖ = c.
 class Dyad {
  public:
-  /// before: the point B.
+  /// prefix: first part of the dyad's names. before: name of the point B.
   Dyad(const Mechanism& d, const std::string& prefix, const std::string& before)
       : name_(prefix),
         pivot_(nominal_in_plane(d, prefix + "D")),
@@ -35,7 +35,8 @@ class Dyad {
     side_ = std::copysign(1.0, left_of(way).dot(nominal_in_plane(d, prefix + "C") - pivot_));
   }
 
-  /// C, given B. Throws std::runtime_error, naming the dyad, when the circles do not meet.
+  /// Returns C, given B, and writes C and ψ. Throws std::runtime_error, naming the dyad, when the
+  /// circles do not meet in two points.
   Moving<Vec2> solve(const Moving<Vec2>& b, AnswerWriter& out) const {
     const Vec2 way = pivot_ - b.q;  // E = D − B; E·ρ = k
     const double square = way.squaredNorm();
@@ -62,8 +63,8 @@ class Dyad {
  private:
   std::string name_;
   Vec2 pivot_;               // D
-  double coupler_, rocker_;  // lengths
-  double side_;              // of the way from B to D on which C is: 1 or -1
+  double coupler_, rocker_;  // lengths c and r
+  double side_;              // 1: C is left of the way from B to D; -1: right of it
 };
 
 class FourBar final : public TreePeer {
@@ -98,7 +99,7 @@ class FourBar final : public TreePeer {
  private:
   const Motion& motion_;
   Vec2 pivot_;
-  double crank_;  // length
+  double crank_;  // length of the crank
   std::vector<Dyad> dyads_;
 };
 

@@ -7,8 +7,8 @@ namespace desmo::tree {
 
 using Vec = Eigen::Vector3d;
 
-/// A moving quantity at one instant: its value and its first two derivatives in time. A vector of
-/// two or three components, or a number.
+/// A moving quantity at one instant: its value and its first two derivatives in time. T: a vector
+/// of two or three components, or a number.
 template <class T>
 struct Moving {
   T q, qd, qdd;
@@ -43,7 +43,8 @@ struct Polar {
   Moving<Vec> direction;
 };
 
-/// From a = s d: ṡ = d·ȧ, s ḋ = ȧ − ṡ d, s̈ = d·ä + ḋ·ȧ, s d̈ = ä − s̈ d − 2 ṡ ḋ.
+/// Returns length s and direction d of a vector a = s d, which is not 0:
+/// ṡ = d·ȧ, s ḋ = ȧ − ṡ d, s̈ = d·ä + ḋ·ȧ, s d̈ = ä − s̈ d − 2 ṡ ḋ.
 inline Polar polar(const Moving<Vec>& a) {
   const double s = a.q.norm(), inverse = 1 / s;
   const Vec d = inverse * a.q;
@@ -55,7 +56,7 @@ inline Polar polar(const Moving<Vec>& a) {
 
 inline Moving<Vec> unit(const Moving<Vec>& a) { return polar(a).direction; }
 
-/// Writes the coordinates of the mechanism, one entity after the other.
+/// A writer of the coordinates that a peer finds, with their rates, one entity after the other.
 class AnswerWriter {
  public:
   AnswerWriter(double* q, double* qd, double* qdd) : q_(q), qd_(qd), qdd_(qdd) {}

@@ -10,8 +10,8 @@
 
 namespace desmo::tree {
 
-// Dimensions of a mechanism. All throw std::invalid_argument when there is no such name; length()
-// throws std::bad_optional_access for a body without one.
+// Dimensions of a mechanism. All functions throw std::invalid_argument when there is no such name;
+// length() throws std::bad_optional_access for a body without a length of its own.
 
 /// Returns the point, vector, body … of that name.
 template <class Named>
@@ -25,7 +25,7 @@ inline Vec nominal(const Mechanism& d, const std::string& point) {
   return Vec(named(d.points, point).position.data());
 }
 
-/// Returns the length of a link whose nominal position is but an estimate.
+/// Returns the length that a link has by definition; its nominal position is but an estimate.
 inline double length(const Mechanism& d, const std::string& link) {
   return named(d.bodies, link).length.value().value;
 }

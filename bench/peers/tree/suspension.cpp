@@ -16,7 +16,7 @@ Stabiliser::Stabiliser(const Mechanism& d, const std::string& prefix, const std:
   g_ = nominal(d, prefix + "G" + link);
   lever_ = (b - a).norm();
   link_ = (b - g_).norm();
-  const Vec across(b.z() - a.z(), 0, a.x() - b.x());  // y2 × (B − A), in the nominal position
+  const Vec across(b.z() - a.z(), 0, a.x() - b.x());  // y2 × (B − A) in the nominal position
   side_ = std::copysign(1.0, across.dot(a - g_));
 }
 
@@ -37,7 +37,7 @@ void Stabiliser::solve(const Pose& axle, AnswerWriter& out) const {
   const double w = side_ * std::sqrt(rest), inverse = 1 / square;
   const double cosine = inverse * (w * z - k * x), sine = inverse * (w * x + k * z);
 
-  // e and n = de/dφ, first as if φ rested. n·(B−G) = n·D = w.
+  // e and n = de/dφ with rates as if φ were constant (e0, n0). n·(B−G) = n·D = w.
   const Moving<Vec> e0 = sine * axle.z - cosine * axle.x, n0 = cosine * axle.z + sine * axle.x;
   const Vec b = from_g + lever_ * e0.q;  // B − G
   const double per_angle = -1 / (lever_ * w);

@@ -21,41 +21,42 @@ namespace desmo::tree {
 ///   ‖D + λ e‖ = L,  e = −cos φ x2 + sin φ z2.
 class Stabiliser {
  public:
-  /// lever, link: the bodies' numbers, "6" and "8".
+  /// prefix: first part of the axle's names. lever, link: the bodies' numbers, "6" and "8".
   Stabiliser(const Mechanism& mechanism, const std::string& prefix, const std::string& lever,
              const std::string& link);
 
-  /// Names of what solve() delivers, in its order.
+  /// Returns the names of the entities that solve() writes, in its order.
   static std::vector<std::string> delivered(const std::string& prefix, const std::string& lever,
                                             const std::string& link);
 
-  /// Throws std::runtime_error, naming the lever, when its link does not reach it.
+  /// Solves at a pose of the axle, and writes the entities of delivered(). Throws
+  /// std::runtime_error, naming the lever, when its link does not reach it.
   void solve(const Pose& axle, AnswerWriter& out) const;
 
  private:
-  std::string name_;     // of the lever
-  Vec a_;                // A on the axle, from S in its frame
+  std::string name_;     // name of the lever
+  Vec a_;                // A − S in the axle's frame
   Vec g_;                // G
   double lever_, link_;  // λ and L
-  double side_;          // of two positions of the lever that nominally taken: 1 or -1
+  double side_;          // 1 or -1: which of its two positions the lever takes, as nominally
 };
 
 /// Rod and tube of a damper, from A on the axle to T on the chassis. Relative coordinate: the
 /// length s, which T − A gives.
 class Damper {
  public:
-  /// rod, tube: the bodies' numbers, "10" and "11".
+  /// prefix: first part of the axle's names. rod, tube: the bodies' numbers, "10" and "11".
   Damper(const Mechanism& mechanism, const std::string& prefix, const std::string& rod,
          const std::string& tube);
 
-  /// Names of what solve() delivers, in its order.
+  /// Returns the names of the entities that solve() writes, in its order.
   static std::vector<std::string> delivered(const std::string& prefix, const std::string& rod,
                                             const std::string& tube);
 
   void solve(const Pose& axle, AnswerWriter& out) const;
 
  private:
-  Vec a_;  // A on the axle, from S in its frame
+  Vec a_;  // A − S in the axle's frame
   Vec t_;  // T
 };
 

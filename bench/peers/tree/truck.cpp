@@ -18,7 +18,7 @@ namespace desmo::tree {
 
 namespace {
 
-/// Returns the angles of an axle among those of all, one axle after the other.
+/// Returns the two angles of an axle. all: angles of all axles, one axle after the other.
 Axle::Angles angles_of(State& all, std::size_t axle) {
   const auto two = [&](std::vector<double>& v) { return std::span<double, 2>(&v[2 * axle], 2); };
   return {two(all.q), two(all.qd), two(all.qdd)};
@@ -31,7 +31,7 @@ class Truck final : public TreePeer {
     last_.resize(2 * axles);
     one_before_.resize(2 * axles);
     expected_ = Predictor(guess, {{0, 2 * axles}});
-    // The whole mechanism meets the tolerance, like ours.
+    // So the whole mechanism meets the tolerance, as it does in our formulations.
     const double tolerance = Settings{}.tolerance / std::sqrt(axles);
     suspensions_.reserve(axles);
     will_deliver(model, {"y1"});
@@ -92,12 +92,14 @@ class Truck final : public TreePeer {
     return result;
   }
 
-  MotionsAhead motions_;  // of the left and the right wheels, axle after axle
+  MotionsAhead motions_;  // motions of the left and the right wheel, axle after axle
   Predictor expected_;
   std::vector<Suspension> suspensions_;
-  State last_, one_before_;      // the angles, solved; on the way to a solution what is expected
-  double time_ = 0, h_ = 0;      // of the last instant, and from the one before it
-  std::optional<Level> before_;  // nothing: there is none
+  // Angles of all axles at the last instant and the one before it. During a step, last_ is
+  // predicted.
+  State last_, one_before_;
+  double time_ = 0, h_ = 0;      // time of the last instant, and the step that led to it [s]
+  std::optional<Level> before_;  // level of one_before_; nothing: no step was taken yet
 };
 
 }  // namespace
