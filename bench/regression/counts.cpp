@@ -26,7 +26,8 @@ std::vector<std::string> steps_command(const Side& side, const std::string& name
           std::to_string(name == side.slowed ? side.percent : 0)};
 }
 
-/// Returns the instructions of candidate i on side j at i × sides + j.
+/// Returns the instructions of all candidates on all sides: those of candidate i on side j have
+/// index i · (number of sides) + j.
 std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
                                     const std::vector<Side>& sides) {
   std::vector<std::int64_t> instructions(names.size() * sides.size());
@@ -39,14 +40,15 @@ std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
   return instructions;
 }
 
-/// Tells whether the side's desmo_steps knows the candidate: it refuses others as wrong usage.
+/// Returns whether the side's desmo_steps knows a candidate. It refuses others as wrong usage.
 bool exists(const Side& side, const std::string& name) {
   std::string output;
   return bench::Child(bench::fixed_launch(steps_command(side, name, 0))).finish(output) !=
          bench::usage_error;
 }
 
-/// Returns the place of a name in the history's candidates. Adds one that is missing.
+/// Returns the index of a name in the history's candidates. Adds the name, and null to all points,
+/// where it is missing.
 std::size_t place_of(const std::string& name, Json& history) {
   Json& known = history["candidates"];
   const std::size_t place = std::find(known.begin(), known.end(), name) - known.begin();

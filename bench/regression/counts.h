@@ -17,8 +17,8 @@ nlohmann::ordered_json counted_work(const std::vector<std::string>& names,
 /// A commit whose instructions are counted.
 struct Commit {
   std::string name;     ///< its hash, shortened
-  std::string date;     ///< when it was committed (UTC, ISO 8601), which gives the order
-  std::string message;  ///< its first line
+  std::string date;     ///< time of the commit (UTC, ISO 8601), by which points are sorted
+  std::string message;  ///< first line of its message
 };
 
 /// Counts the candidates in a commit's programs and adds a point to a history, which may be empty.
@@ -28,7 +28,7 @@ struct Commit {
 void add_point(nlohmann::ordered_json& history, const Side& programs, const Commit& commit,
                const std::vector<std::string>& names);
 
-/// Returns the text of a history, a point a line.
+/// Returns the JSON text of a history, with one line for each point.
 std::string text_of(const nlohmann::ordered_json& history);
 
 }  // namespace desmo::regression

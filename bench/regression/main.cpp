@@ -1,5 +1,5 @@
-// desmo_check: measures two trees, or one, for bench/check. `desmo_report check` decides on
-// what it has written.
+// desmo_check: measures the programs of two trees, or of one, for bench/check. `desmo_report check`
+// judges the results file that it writes.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -39,7 +39,7 @@ struct Options {
   bool time = true, work = true;
 };
 
-/// Returns what desmo_probe answers.
+/// Runs a side's desmo_probe with some arguments. Returns what it writes to standard output.
 std::string asked(const Side& side, std::vector<std::string> question) {
   std::string answer;
   const int code = bench::Child(side.probe(std::move(question))).finish(answer);
@@ -49,7 +49,7 @@ std::string asked(const Side& side, std::vector<std::string> question) {
   return answer;
 }
 
-/// Returns the names of what can be measured, by head's table of variants.
+/// Returns the names of the candidates that bench/check measures, as head's desmo_probe lists them.
 Names all_names(const Side& head) {
   std::istringstream answer(asked(head, {"names"}));
   return {std::istream_iterator<std::string>(answer), {}};
@@ -60,7 +60,7 @@ void require_known(const Names& all, const std::string& name, const std::string&
     throw std::invalid_argument(option + ": there is no candidate '" + name + "'");
 }
 
-/// Reads SIDE:CANDIDATE:PERCENT into the side that it names.
+/// Makes a candidate of a side slower, as SIDE:CANDIDATE:PERCENT says.
 void make_slower(std::vector<Side>& sides, const std::string& slow) {
   const std::size_t first = slow.find(':'), last = slow.rfind(':');
   for (Side& side : sides) {
@@ -93,7 +93,7 @@ void bring_up_to_date(Json& record) {
   record["schema_version"] = bench::schema_version;
 }
 
-/// Returns the record of each side, with every candidate verified.
+/// Returns the record of each side by its name, made by verifying every candidate there.
 Json verified(const std::vector<Side>& sides, const Names& names) {
   std::vector<std::string> question{"verify", std::to_string(TimingSettings::instants)};
   question.insert(question.end(), names.begin(), names.end());
@@ -105,8 +105,8 @@ Json verified(const std::vector<Side>& sides, const Names& names) {
   return records;
 }
 
-/// Returns what is right on all sides: what is wrong on one is never measured, and what one side
-/// lacks cannot be compared.
+/// Returns the names of the candidates that are right on all sides. What is wrong on one side is
+/// never measured, and what one side lacks cannot be compared.
 Names sound(Names sound, const Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
     for (const Json& candidate : check[side.name]["paper"]["candidates"])
@@ -114,7 +114,8 @@ Names sound(Names sound, const Json& check, const std::vector<Side>& sides) {
   return sound;
 }
 
-/// Adds the samples of a pass: those of the first stand in the records.
+/// Adds the samples of a pass: those of the first pass to the sides' records, those of the second
+/// to a list of their own.
 void add_times(Json& check, const std::string& pass, const Times& times) {
   if (pass == "second") {
     for (const auto& [candidate, by_side] : times)
@@ -133,7 +134,7 @@ void add_times(Json& check, const std::string& pass, const Times& times) {
   }
 }
 
-/// Marks what is right and was not timed, for whatever reason.
+/// Marks as not run all candidates that are right and were not timed, for whatever reason.
 void mark_untimed(Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
     for (Json& candidate : check[side.name]["paper"]["candidates"]) {
@@ -178,12 +179,12 @@ void measure(const Options& o) {
   save(check.dump() + '\n', o.file);
 }
 
-/// Adds rounds of some candidates, in the first pass or in the second, which confirms it.
+/// Adds rounds of some candidates to the first pass, or to the second, which confirms an alarm.
 void measure_more(Options o) {
   Json check = load(o.file);
   if (check["settings"].contains("slowed")) o.slow = check["settings"]["slowed"];
   const std::uint64_t seed = check["settings"]["seed"];
-  const std::uint64_t added = check.dump().size();  // another order whenever something was added
+  const std::uint64_t added = check.dump().size();  // changes the order of candidates in each call
   add_times(check, o.pass, time_rounds(sides_of(o), o.names, TimingSettings::rounds, seed + added));
   save(check.dump() + '\n', o.file);
 }
@@ -195,7 +196,7 @@ void add_commit(const Options& o) {
 }
 
 int run(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a probe that has ended is an error with a message
+  std::signal(SIGPIPE, SIG_IGN);  // so that Child::say() reports that a probe has ended
   Options o;
   CLI::App app{"Measures trees for bench/check"};
   app.require_subcommand(1);

@@ -35,7 +35,7 @@ Json verified(const std::string& name, int instants) {
     j["results"] = candidate.verifying_run().results;
     j["verification"] = bench::errors_json(candidate.verifying_run().errors);
   } catch (const std::invalid_argument& e) {
-    const std::string message = e.what();  // the lines that follow list what there is
+    const std::string message = e.what();  // lines after its first list known names
     j["status"] = "not_run";
     j["message"] = message.substr(0, message.find('\n'));
   }
@@ -62,7 +62,8 @@ std::vector<std::string> measured_candidates() {
       "truck_suspension/114/group_symbolic_explicit",
       "truck_suspension/114/block_symbolic_inlined",
   };
-  // An algebra that is new stands in the truck's groups, or where else it first occurs.
+  // An algebra that no name has is added: in groups of the truck or, where groups do not have it,
+  // in the first variant that does.
   for (const bool in_groups : {true, false})
     for (const Variant& v : variants()) {
       if (const Backend* const b = find_backend(v.algebra); b && b->absence) continue;

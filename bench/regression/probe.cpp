@@ -1,10 +1,11 @@
-// desmo_probe: what bench/check builds of both trees and puts questions to.
+// desmo_probe: the program that bench/check builds of both trees and puts questions to.
 //   desmo_probe names                                 the candidates that bench/check measures
 //   desmo_probe verify INSTANTS NAME...               a record of them, verified and not timed
 //   desmo_probe time INSTANTS [NAME PERCENT]          times candidates as standard input asks,
 //                                                   NAME by PERCENT slower, to test the check
-// A question is a line NAME REPETITIONS PLACEMENT, where NAME may be "control"; the answer is the
-// least CPU time of one analysis among the repetitions.
+// A question of `time` is a line NAME REPETITIONS PLACEMENT, where NAME may be "control". PLACEMENT
+// moves the candidate's data in memory, by 16 bytes each. The answer is the least CPU time of one
+// analysis among the repetitions [s].
 
 #include <algorithm>
 #include <exception>
@@ -29,17 +30,18 @@ namespace {
 
 constexpr int max_number = 1'000'000;
 
-constexpr int size = 32, sweeps = 300;
+constexpr int size = 32, sweeps = 300;  // size of the control's matrix, number of products with it
 
-/// Data on a page of its own, like the code below: where a build happens to put them must not show.
+/// The control's data. They begin a page of memory, like the code below, so that times do not
+/// depend on where a build happens to put them.
 struct alignas(4096) ControlData {
   double a[size][size];
   double x[size], y[size];
 } data;
 
 /// Does a fixed amount of dense arithmetic that has nothing to do with what is measured: a change
-/// in its time is the machine's doing. Returns a value that depends on all of it. x ← A x / 2 with
-/// rows that sum to 2: x stays near 1, neither vanishing nor overflowing.
+/// in its time is the machine's doing. Returns a value that depends on all of it. It repeats
+/// x ← A x / 2 with rows of A that sum to 2, so that x neither vanishes nor overflows.
 __attribute__((noinline, aligned(4096))) double control_kernel() {
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j) data.a[i][j] = 1.0 / size + (i == j ? 1.0 : 0.0);
@@ -71,12 +73,13 @@ double min_seconds(int repetitions, const Call& call) {
 
 volatile double control_result;  // so that the kernel is not optimised away
 
-/// Returns the least time of an analysis, made slower on purpose by a percentage.
+/// Returns the least CPU time [s] of an analysis among all repetitions. percent: by how much it is
+/// made slower on purpose; the control never is.
 double time(const std::string& name, int instants, double percent, int repetitions, int placement) {
   if (name == control_name)
     return min_seconds(repetitions, [] { control_result = control_kernel(); });
-  // The place of the candidate's data in cache lines and pages is luck; it is drawn anew every
-  // time.
+  // Where the candidate's data lie in cache lines and pages is luck, so each question draws it
+  // anew.
   const std::vector<char> shift(16 * static_cast<std::size_t>(placement));
   const bench::CandidateName parsed = bench::parse_name(name);
   const bench::Problem problem = problem_of(parsed, instants);
@@ -89,19 +92,20 @@ double time(const std::string& name, int instants, double percent, int repetitio
   });
 }
 
-/// slowed: the candidate that is made slower by a percentage; empty: none.
+/// Answers the questions on standard input. slowed: the candidate that is made slower by a
+/// percentage; empty: none.
 void serve(int instants, const std::string& slowed, double percent) {
   for (std::string name, repetitions, placement; std::cin >> name >> repetitions >> placement;) {
     const double seconds = time(name, instants, name == slowed ? percent : 0,
                                 bench::whole_number(repetitions, 1, max_number),
                                 bench::whole_number(placement, 0, max_number));
-    std::cout << seconds << std::endl;  // the other side waits for it
+    std::cout << seconds << std::endl;  // flushed, since desmo_check waits for it
   }
 }
 
 int run(std::vector<std::string> arguments) {
   bench::keep_freed_memory();
-  set_blas_threads(1);  // the clock is the thread's own
+  set_blas_threads(1);  // cpu_now() counts this thread alone
   std::cout.precision(9);
   const std::string command = arguments.empty() ? "" : arguments[0];
   if (command == "names" && arguments.size() == 1) {

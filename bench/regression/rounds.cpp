@@ -14,8 +14,9 @@ namespace {
 
 using Random = std::mt19937_64;
 
-constexpr int placements = 256;  // of 16 bytes each: a page
+constexpr int placements = 256;  // number of places of data, 16 bytes apart: a page
 
+/// Starts a side's desmo_probe on a core (-1: any), ready to time candidates.
 std::unique_ptr<bench::Child> start(const Side& side, int core) {
   std::vector<std::string> arguments{"time", std::to_string(TimingSettings::instants)};
   if (!side.slowed.empty())
@@ -26,6 +27,7 @@ std::unique_ptr<bench::Child> start(const Side& side, int core) {
   return std::make_unique<bench::Child>(launch);
 }
 
+/// Returns the least CPU time of a candidate in one turn [s], with its data in a random place.
 double ask(bench::Child& probe, const std::string& name, Random& random) {
   probe.say(name + ' ' + std::to_string(TimingSettings::repetitions) + ' ' +
             std::to_string(random() % placements));

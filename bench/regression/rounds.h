@@ -11,18 +11,19 @@ namespace desmo::regression {
 
 /// Settings with which the time of a candidate is measured.
 struct TimingSettings {
-  static constexpr int instants = 51;    ///< of one analysis, 10 ms apart
-  static constexpr int rounds = 25;      ///< each with processes of its own; odd, so has a median
-  static constexpr int turns = 3;        ///< of base and head with a candidate in a round
-  static constexpr int repetitions = 2;  ///< of the analysis in a turn, after one to warm up
+  static constexpr int instants = 51;    ///< number of instants of an analysis, 10 ms apart
+  static constexpr int rounds = 25;      ///< number of rounds; odd, so that one is the median
+  static constexpr int turns = 3;        ///< turns of each side with a candidate in a round
+  static constexpr int repetitions = 2;  ///< analyses in a turn, after one to warm up
 };
 
 /// Settings with which the instructions of a candidate are counted.
 struct CountingSettings {
-  static constexpr int steps = 105;
-  /// The first of them, until pivots are chosen and positions near the solution (see desmo_steps).
+  static constexpr int steps = 105;  ///< number of steps, uncounted ones included
+  /// Number of first steps that are not counted: after them pivots are chosen, and positions are
+  /// near the solution (see desmo_steps).
   static constexpr int uncounted_steps = 5;
-  static constexpr int iterations = 3;  ///< of Newton–Raphson in every step
+  static constexpr int iterations = 3;  ///< number of Newton–Raphson iterations in every step
 };
 
 /// A side: one of the two trees that are compared.

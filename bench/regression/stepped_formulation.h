@@ -17,9 +17,9 @@ namespace desmo::regression {
 /// formulation.
 bench::Problem problem_of(const bench::CandidateName& name, int instants);
 
-/// A formulation ready to be run, or stepped through, while its instructions are counted. It is no
-/// bench::Candidate: that would link the quadruple reference, whose copies of templates are
-/// compiled for size, into the counted program.
+/// A formulation ready to be run, or stepped through, while its instructions are counted or its
+/// time is taken. It is no bench::Candidate: that would link the quadruple reference, whose copies
+/// of templates are compiled for size, into the counted program.
 class SteppedFormulation {
  public:
   /// problem: outlives this. others: settings that the id does not name. Throws
@@ -30,11 +30,13 @@ class SteppedFormulation {
   /// Runs through the motion: first assembly, all steps, and the delivery of every instant.
   Summary run() { return formulation_->run(grid, {}, delivery_); }
 
-  /// Solves and delivers the instants from `first` to `last`, a step each, forwards or backwards.
-  /// Needs an earlier solution nearby. Returns the summary of the last step tried.
+  /// Solves and delivers the instants from `first` to `last`, by a step each, forwards or
+  /// backwards, up to the first that fails. The solution before the first step must be near.
+  /// Returns the summary of the last step tried.
   Summary walk(int first, int last);
 
-  /// Tells whether its settings make run() solve several instants at once. walk() never does.
+  /// Returns whether run() does not solve one instant after the other, because the settings ask for
+  /// segments, threads or a stride. walk() always does.
   bool runs_at_once() const {
     return settings().segments > 1 || settings().threads > 1 || settings().stride > 1;
   }
@@ -53,7 +55,7 @@ class SteppedFormulation {
   bench::Delivery delivery_;
 };
 
-/// Returns the number of further steps that make the work of `steps` larger by `percent`.
+/// Returns the number of further steps that make the work of `steps` larger by `percent`, rounded.
 int extra_steps(int steps, double percent);
 
 }  // namespace desmo::regression
