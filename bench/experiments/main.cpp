@@ -1,5 +1,5 @@
-// desmo_bench [EXPERIMENT] [OPTION...]: measures what an experiment measures; with options and no
-// name the paper's.
+// desmo_bench [EXPERIMENT] [OPTION...]: runs an experiment, the paper's where there are options but
+// no name. Without arguments it lists the experiments.
 
 #include <exception>
 #include <iostream>

@@ -29,7 +29,7 @@ struct CommonOptions {
 
 /// Meanings of the common options in one experiment, for its help.
 struct CommonHelp {
-  std::string quick;        ///< description of what --quick leaves out
+  std::string quick;        ///< description of what is measured with --quick
   std::string filtered;     ///< names that --filter searches: "<case>/<coordinates>/<id>"
   std::string repetitions;  ///< how many samples it takes by itself; empty: it has no such option
 };
@@ -37,8 +37,8 @@ struct CommonHelp {
 /// Adds the options to those of an experiment; `options` must outlive them.
 void add_common(CLI::App& parser, CommonOptions& options, const CommonHelp& help);
 
-/// Rejects a text that is not a positive, finite number, for CLI::Option::check. Returns the
-/// message; empty: the text is accepted.
+/// Returns the message that rejects a text which does not begin with a positive, finite number; ""
+/// accepts the text. For CLI::Option::check.
 std::string refuse_not_positive(const std::string& text);
 
 /// Reads all arguments. Returns false after printing the help that was asked for. Throws

@@ -77,7 +77,8 @@ std::regex chosen_formulations(const Options& options) {
   return std::regex("^(" + joined(bench::checked_ids, std::identity{}, "|") + ")$");
 }
 
-/// Returns whether no formulation gave wrong numbers without a flag.
+/// Measures the rows that are chosen, and writes their record. Returns whether no verdict is
+/// ExtremeVerdict::defect.
 bool measure(const Options& options, const bench::CommandLine& line) {
   const std::vector<const Extreme*> rows = chosen_rows(options.rows);
   Selection selection{.extent = options.quick ? Extent::brief : Extent::full,

@@ -2,7 +2,7 @@
 // 10 ms, nothing else, for instruction counts and profilers. ITERATIONS: exact number of Newton
 // iterations of every step; 0: as many as it needs. PERCENT repeats that share of the steps: a
 // slowdown on purpose, for tests of what is to find one. The steps after uncounted_steps are all in
-// desmo_counted_steps. With an id that solves more than one instant at once, or that ends in
+// desmo_counted_steps. With an id that asks for segments, threads or a stride, or that ends in
 // /check:…, the whole motion is in it, assembly included.
 
 #include <malloc.h>

@@ -23,11 +23,11 @@ std::string id_in(std::string_view id, Modelling kind, Frames frames = Frames::l
 /// Returns the problem of a case in some coordinates, to be compared with the quadruple reference
 /// of the natural model by names of entities.
 /// - natural: the same in natural coordinates, with that reference
-/// Throws std::runtime_error where a coordinate of the mechanism is at rest in one model alone.
+/// Throws std::runtime_error where an entity is at rest in one of the two models alone.
 bench::Problem problem_in(const Scene& scene, const bench::Problem& natural, Modelling kind);
 
-/// Returns the natural problem, compared at instants all over the motion. Throws what
-/// make_reference throws, and see require_agreement.
+/// Returns the problem in natural coordinates, with a reference at instants all over the motion.
+/// Throws what make_reference and require_agreement throw.
 bench::Problem natural_problem(const Scene& scene, const TimeGrid& grid);
 
 }  // namespace desmo::modelling

@@ -33,7 +33,7 @@ class CaseCandidate final : public FormulationCandidate {
   std::optional<PhaseTimes> phases_;
 };
 
-/// Returns every candidate of the experiment but requests and peers, in the order of the tables.
+/// Returns every candidate of the experiment except requests and peers, in the order of the tables.
 /// Dense global solves above the limit are there too, as Refusal::Kind::not_run, with the reason.
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options);
 

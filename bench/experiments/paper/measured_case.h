@@ -17,7 +17,7 @@ struct MeasuredCase : Problem {
   explicit MeasuredCase(Scene described) : scene(std::move(described)) {}
 
   const Scene scene;         ///< the whole mechanism, which peers are made of
-  bool is_profiled = false;  ///< whether a record shows where the time goes
+  bool is_profiled = false;  ///< whether a record shows its times by phase
 };
 
 /// Makes a case at one size.
