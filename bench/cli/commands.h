@@ -65,7 +65,7 @@ inline void add_output(CLI::App& command, std::string& output) {
       ->check(refuse_empty);
 }
 
-/// Adds the option that leaves out progress and all notes but flags.
+/// Adds the option that leaves out progress, and all notes except those on flags.
 inline void add_quiet(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "No progress, and no notes but flags");
 }

@@ -18,8 +18,8 @@ void run_on_fresh_heap(const std::function<void()>& work);
 /// on what ran before.
 void keep_freed_memory();
 
-/// Returns the bytes of the heap that the process holds at this moment. Unlike the size of the
-/// process they do not depend on what the allocator keeps.
+/// Returns the bytes that are allocated on the heap at this moment. Unlike the size of the process
+/// they do not depend on freed memory that the allocator keeps.
 inline std::size_t heap_in_use() {
   const struct mallinfo2 heap = mallinfo2();
   return heap.uordblks + heap.hblkhd;

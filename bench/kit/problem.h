@@ -28,14 +28,15 @@ struct Problem {
   /// Returns why a formulation is not to be run; empty: it is to be run. No function: all are.
   std::function<std::string(const Configuration&)> missing{};
   KernelTable kernels{};  ///< generated code, in addition to what desmo was built with
-  /// The coordinates that are delivered and compared, in the order of the reference; empty: all.
+  /// The coordinates that are delivered; empty: all. Without `compared`, the order is that of the
+  /// reference.
   std::vector<int> delivered{};
   /// The values that are compared; empty: all that is delivered.
   std::vector<Compared> compared{};
   /// Differences are divided by the scales of the motion (coordinate_scales()), so that the unit of
   /// length may be any. Else they are absolute.
   bool is_relative = false;
-  std::optional<Model> whole{};  ///< the model whose motion is the reference's, unless the plan's
+  std::optional<Model> whole{};  ///< model whose motion the reference is; nothing: that of the plan
   std::string case_name{};       ///< <case> in names of benchmarks; empty: the mechanism's name
 
   Level level() const { return plan.outputs.empty() ? Level::acceleration : plan.level(); }

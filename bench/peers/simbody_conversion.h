@@ -17,8 +17,7 @@ namespace desmo::simbody {
 ///
 /// The tree follows (Tree::followed) all points and vectors of its bodies that move. Relative
 /// coordinates, and the vectors of rods, are not found.
-/// - scene: its mechanism gives the nominal position, its motions the drivers; must outlive the
-/// tree
+/// - scene: gives the nominal position and the drivers' motions; must outlive the tree
 /// - model: model of the mechanism, which gives the indices of coordinates
 ///
 /// Throws std::invalid_argument, naming the mechanism, unless it is one of the two.

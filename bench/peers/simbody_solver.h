@@ -23,7 +23,7 @@ enum class Joint {
 /// A body and its joint with the body before it in the tree. The body's frame has its origin at the
 /// joint and is parallel to the parent's where the joint's coordinates are zero.
 struct Body {
-  int parent;  ///< -1: the ground
+  int parent;  ///< index of the body before it; -1: the ground
   Joint joint;
   Vec place;  ///< place of the joint in the parent's frame
   Vec axis{}, second_axis{};

@@ -46,9 +46,9 @@ using Times = std::map<std::string, std::map<std::string, std::vector<double>>>;
 
 /// Times candidates on one or two sides, in `count` rounds. In each round every side runs in a new
 /// process, because the place of a build in memory changes its times. All processes of a round
-/// share one core; the next round takes another. Candidates come in random order; for each, the
-/// sides take turns in random order, each turn with newly placed data. Throws std::runtime_error
-/// when a side does not answer.
+/// share one core; the next round takes the next core in turn. Candidates come in random order; for
+/// each, the sides take turns in random order, each turn with newly placed data. Throws
+/// std::runtime_error when a side does not answer.
 Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names, int count,
                   std::uint64_t seed);
 

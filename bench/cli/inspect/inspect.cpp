@@ -35,7 +35,7 @@ Json list_groups(const Model& m) {
     groups.push_back({{"name", group.name},
                       {"constant", group.constant},
                       {"bodies", group.bodies},
-                      {"moving_bodies", 0},  // N_m of the paper; bodies fixed to each other are one
+                      {"moving_bodies", 0},  // N_m of the paper; rigidly joined ones count as one
                       {"driven", Json::array()},     // n_c of the paper: coordinates driven in it
                       {"couplings", Json::array()},  // those whose equations the group contains
                       {"unknowns", 0},

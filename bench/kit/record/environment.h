@@ -10,7 +10,7 @@ namespace desmo::bench {
 
 /// The run of this process that a record describes: when, by which command, under which load.
 struct Run {
-  std::string date;                             ///< UTC, when it began
+  std::string date;                             ///< time when it began (UTC, ISO 8601)
   std::string command;                          ///< program name and arguments
   std::vector<double> load_before, load_after;  ///< load_averages() at its begin and end
 };

@@ -34,8 +34,8 @@ struct Axle::Closure {
   Vec roll_axis;              // Rz(ψ) e_x
   Vec s, x, y, z;             // S and the axle's frame
   Vec arm;                    // S − R
-  Vec rise;                   // derivative of S by its height, as S moves on a circle about R
-  double pitch_lift;          // derivative of S's height by θ: ∂S/∂θ = pitch_lift · rise
+  Vec rise;                   // ∂S/∂(height of S), as S moves on a circle about R
+  double pitch_lift;          // ∂(height of S)/∂θ, so that ∂S/∂θ = pitch_lift · rise
   std::array<Vec, 2> r, rod;  // C − S, C − G
   Eigen::Vector2d g;          // (‖C − G‖² − L²)/2 of each rod
   Eigen::Matrix2d jacobian;   // ∂g/∂(ψ, θ)

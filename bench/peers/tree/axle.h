@@ -20,11 +20,12 @@ struct Pose {
 
 /// Bodies 2 to 5 of an axle of truck_suspension: the axle, on an arm that turns about the lateral
 /// axis, and its two lower rods. Relative coordinates: the arm's angle, and yaw ψ, roll ρ and pitch
-/// θ of the axle on the arm's end, R = Rz(ψ) Rx(ρ) Ry(θ). The rods close the loops, and the heights
-/// of the wheels are given.
+/// θ of the axle, whose frame at the arm's end S is Rz(ψ) Rx(ρ) Ry(θ). The rods close the loops,
+/// and the heights of the wheels are given.
 ///
-/// The heights, in this order of turns, leave two unknowns: their difference over the track is sin
-/// ρ, and with θ they are the height of S, hence the arm's angle. ψ and θ keep the rods' lengths:
+/// With this order of turns the heights leave two unknowns. Their difference divided by the track
+/// is sin ρ; with θ they give the height of S, hence the arm's angle. ψ and θ keep the rods'
+/// lengths:
 ///   gᵢ = (‖Cᵢ − Gᵢ‖² − Lᵢ²)/2 = 0.
 /// This holds for the case, whose wheels are apart along y2 alone and whose S − R is normal to y1.
 class Axle {

@@ -57,7 +57,7 @@ class Damper {
 
  private:
   Vec a_;  // A − S in the axle's frame
-  Vec t_;  // T
+  Vec t_;  // T on the chassis
 };
 
 /// An axle with all that hangs on it.
