@@ -9,10 +9,10 @@
 
 namespace desmo::cli {
 
-/// Returns a line for each point drawn off the line of its revolute_on_slider or the plane of its
-/// point_on_plane joint, since that offset is kept. Where no body has a frame or a length of its
-/// own, also returns one for each coupling whose table contradicts the drawing. Empty if there is
-/// none. model: that of the whole mechanism
+/// Returns a line for each point whose drawn offset from its joint is kept: from the line of a
+/// revolute_on_slider, or from the plane of a point_on_plane. Where no body has a frame or a length
+/// of its own, adds one for each coupling whose table contradicts the drawing. "" without any.
+/// model: that of the whole mechanism
 std::string note_on_drawing(const Mechanism& mechanism, const Model& model,
                             const DisplayUnits& units);
 

@@ -13,11 +13,11 @@
 
 namespace desmo::cli {
 
-/// Reader of driver values, line by line: t, then z of each driver, ż of each and z̈ of each, in
-/// the order of the model's drivers and in the units of the output. Commas or blanks separate the
-/// numbers. Empty lines are skipped. A first line that does not begin with a number is a heading:
-/// it names the columns as the output does ("t [s],theta [rad],d/dt theta [rad/s]"; units may be
-/// left out), in any order. Columns that belong to no driver are then ignored.
+/// Reader of driver values, line by line: t, then z of each driver, ż of each and z̈ of each. They
+/// are in the order of the scene's drivers and in the units of the output. Commas or blanks
+/// separate the numbers. Empty lines are skipped. A first line that does not begin with a number is
+/// a heading: it names the columns as the output does ("t [s],theta [rad],d/dt theta [rad/s]";
+/// units may be left out), in any order. Columns that belong to no driver are then ignored.
 class DriverRows {
  public:
   /// Opens a file, or standard input for "-". Throws CommandError (unreadable_input).

@@ -16,9 +16,9 @@ std::string explain(const Plan& plan, const Model& whole);
 /// nothing. named: whether the user has chosen the formulation.
 std::string note_on_code(const Formulation& formulation, bool named);
 
-/// Returns a line on the steps that generated code left to a more general solver, and on how many
-/// of them changed the assembly branch; "" if it left none. named: whether the user has chosen the
-/// formulation.
+/// Returns a line on the steps that generated code left to a more general solver; "" if it left
+/// none. It also says how many of them changed the assembly branch. named: whether the user has
+/// chosen the formulation.
 std::string note_on_refusals(const Formulation& formulation, bool named);
 
 /// Returns a line when the id asks for segments of the motion but it was solved step by step; else

@@ -41,9 +41,8 @@ void append_number(double value, std::string& text) {
   text.append(digits, end);
 }
 
-/// Appends a time [s] as it was asked for: where it is an instant of the grid, by decimal_time(),
-/// since the instant's double has the rounding of `step` as often as it has steps. Any other time
-/// is appended as it is.
+/// Appends a time [s] as it was asked for. An instant of the grid is written by decimal_time(): its
+/// double has the rounding of `step` once for each step. Any other time is appended as it is.
 void append_time(double time, const TimeGrid& grid, std::string& text) {
   const double index = std::round((time - grid.start) / grid.interval());
   const bool is_instant =

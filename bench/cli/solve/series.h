@@ -37,9 +37,9 @@ std::string first_line(const SeriesHeading& heading);
 void append_line(const SeriesHeading& heading, const Instant& instant, std::string_view remark,
                  std::string& text);
 
-/// Observer that writes each instant, in blocks of text. It stops the run when the output throws,
-/// or when a number is not finite that is not merely missing (NaN in a column or row that may lack
-/// it).
+/// Observer that writes each instant, in blocks of text. It stops the run when the output throws or
+/// a number is not finite. NaN is a missing number, and no reason to stop, where a column may lack
+/// numbers, and for rates of a flagged row.
 class SeriesWriter final : public Observer {
  public:
   /// heading: must outlive the writer; measures: those whose columns it has

@@ -31,8 +31,8 @@ export class Camera {
     this.toward = [s * Math.cos(height), -c * Math.cos(height), up];
   }
 
-  // Returns how far right of the middle and above it a position is seen, and how much nearer to the
-  // eye than the middle it is: three lengths in the mechanism's unit.
+  // Returns a position as it is seen from the middle: how far right, how far above, and how much
+  // nearer to the eye. The three are lengths in the mechanism's unit.
   #seen(x) {
     const d = minus(x, this.middle), near = dot(d, this.toward);
     const grown = 1 / Math.max(1 - near / this.eye, 1e-3);

@@ -5,8 +5,9 @@ const cross = (a, b) => [
   a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0],
 ];
 
-// Returns two unit vectors that span the plane of the points; null where they coincide, lie on a
-// line or lie in no plane, to about a thousandth or a hundredth of their distances.
+// Returns two unit vectors that span the plane of the points. Let the extent be the longest
+// distance from the first point. Returns null where all points are within 1e-3 extents of a line,
+// or where one is more than 1e-2 extents off the plane.
 function plane(points, size) {
   const ways = points.slice(1).map(p => minus(p, points[0]));
   const u = ways.reduce((a, b) => length(b) > length(a) ? b : a);
