@@ -7,14 +7,15 @@
 
 namespace desmo::bench {
 
-/// Returns the SHA-256 that tells one model from another. It covers name and unit of length,
-/// entities (kind, what they belong to, fixed values, initial estimate), constraints (name of the
-/// kind, operands, constants, rows left out), groups and their order, and the drivers' motions.
-/// Names of entities, constraints, groups and bodies do not count.
+/// Returns the SHA-256 that tells one model from another. It covers:
+/// - name and unit of length
+/// - entities: kind, group, fixed values, initial estimate
+/// - constraints: name of the kind, operands, constants, group, rows left out
+/// - groups and their order, and the drivers' motions
 ///
-/// Values are rounded to 9 decimals of their unit, no coarser than what a formulation may differ
-/// from the reference, so that the last bit of a sine, which is the compiler's and the C library's
-/// choice, makes no other model of it.
+/// Names of entities, constraints, groups and bodies do not count. Values are rounded to 9 decimals
+/// of their unit, the allowed difference of positions. So the last bit of a sine, which is the
+/// compiler's and the C library's choice, makes no other model of it.
 std::string model_digest(const Model& model);
 
 /// Returns the multiple of `unit` nearest to a value. Within one unit of the reference, a value

@@ -42,8 +42,8 @@ struct Compared {
   double scale = 1;
 };
 
-/// Returns all values up to a level, one level after the other, where each coordinate has the same
-/// index in what is delivered and in the reference.
+/// Returns all values up to a level, one level after the other. Each coordinate has the same index
+/// in what is delivered and in the reference.
 ///
 /// scales: scale of each coordinate at each level (coordinate_scales); empty: 1.
 std::vector<Compared> all_compared(std::size_t coordinates, Level highest,
@@ -90,10 +90,10 @@ void require_agreement(const Model& model, const PerLevel<double>& floor);
 /// empty: none. Such a part falls back to automatic equations, and must not be timed under that id.
 std::string missing_code(const Formulation& formulation);
 
-/// Returns `count` times [s] of a grid, 2 or more: the last one, and one from each of count − 1
-/// pieces of equal length, which in the first piece is the grid's first. Their distances are
-/// irregular. At regular ones all might be multiples of a stride, so that nothing that is
-/// interpolated would be compared.
+/// Returns `count` times [s] of a grid, 2 or more: its first, its last, and one from each further
+/// piece of the grid, which is cut into count − 1 equal pieces. Their distances are irregular. At
+/// regular ones all might be multiples of a stride, so that no interpolated instant would be
+/// compared.
 std::vector<double> spread_times(const TimeGrid& grid, int count);
 
 /// Returns the quadruple-precision reference of a motion at up to 51 instants, first and last among

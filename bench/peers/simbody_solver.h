@@ -72,10 +72,11 @@ enum class Rates {
   direct,
 };
 
-/// Steps through the positions of a tree. Both assemble() and step() prescribe the driven
-/// coordinates, project the others onto the constraints (projectQ, to a root mean square of the
-/// constraint errors of 1e-10), solve for velocities and accelerations, and deliver. All of this is
-/// timed; making the solver is not. Both throw std::exception when Simbody cannot.
+/// A solver that steps through the positions of a tree. Both assemble() and step() prescribe the
+/// driven coordinates and project the others onto the constraints (projectQ). There the root mean
+/// square of the constraint errors is at most 1e-10. Then they solve for velocities and
+/// accelerations, and deliver. All of this is timed; making the solver is not. Both throw
+/// std::exception when Simbody cannot.
 class Solver {
  public:
   virtual ~Solver() = default;

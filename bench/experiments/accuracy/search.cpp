@@ -161,8 +161,8 @@ class Searcher {
     return kept;
   }
 
-  /// Chooses from a batch, sorted best first. Candidates are the first trial that meets the goal on
-  /// the whole motion, and those that meet it and that is_indistinct() cannot tell from the first.
+  /// Chooses from a batch, sorted best first, among trials that meet the goal on the whole motion:
+  /// the first of them, and those that is_indistinct() cannot tell from it.
   void choose_on_whole(const std::vector<Trial*>& batch) {
     std::list<Trial> trials;
     std::vector<Trial*> holding;

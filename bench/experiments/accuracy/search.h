@@ -19,8 +19,9 @@ struct TunedMotion {
 /// what make_reference throws.
 TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid);
 
-/// The goal of a search: the cheapest formulation, with its settings, whose relative error is at
-/// most max_error (see error_margin) or, where a budget is given, the most accurate within it.
+/// The goal of a search. Without a budget it is the cheapest formulation, with its settings, whose
+/// relative error is at most max_error (see error_margin). With one it is the most accurate within
+/// the budget.
 struct Goal {
   Level level = Level::position;  ///< level of the error
   double max_error = 0;           ///< largest relative error (SolutionError); unused with a budget

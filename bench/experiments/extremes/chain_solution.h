@@ -24,8 +24,8 @@ class ChainSolution {
   void declare(std::span<const double> q);
 
   /// Solves at time t [s]. Returns false where there is no answer: the crank's motion is not finite
-  /// in double precision, a dyad cannot be closed, or it is stretched or folded, so that its rates
-  /// are not determined.
+  /// in double precision, or a dyad cannot be closed. Nor is there one where a dyad is stretched or
+  /// folded: its rates are not determined.
   bool solve(double t);
 
   /// Returns the instant solved last.

@@ -87,8 +87,8 @@ bool is_named(const Model& m, GroupId group, const std::string& body) {
 /// the whole model.
 constexpr double max_factor = 10;
 
-/// Returns the first of the condition number and radii stated for the whole run that is larger than
-/// it may be, in words; empty: none is.
+/// Returns the first too large one of the condition number and radii that were stated for the whole
+/// run, in words; empty: none is.
 std::string overstated(const KnownCase& p, const CaseRun& a) {
   const double condition = p.condition();
   if (!(a.max.condition <= max_factor * condition))
@@ -104,8 +104,8 @@ std::string overstated(const KnownCase& p, const CaseRun& a) {
   return {};
 }
 
-/// Returns the first end of a run's gaps that differs from the known one by more than `bracket`, or
-/// that there are more or fewer ends, in words; empty: all ends are right.
+/// Returns the first end of a run's gaps that is off the known one by more than `bracket`, in
+/// words; or else that their numbers differ. Empty: all ends are right.
 std::string wrong_end(const KnownCase& p, const CaseRun& a) {
   constexpr double bracket = 1e-9;  // [s] (≤)
   std::vector<double> found;

@@ -27,8 +27,8 @@ bool is_counted(const Variant& v) {
          bench::slow_reason(v).empty();
 }
 
-/// Returns whether callgrind can count a formulation. It knows no registers wider than 256 bits,
-/// and also counts what threads do while they wait for each other, another number every time.
+/// Returns whether callgrind can count a formulation. It knows no registers wider than 256 bits. It
+/// also counts what threads do while they wait for each other, which differs from run to run.
 bool is_counted(std::string_view id) {
   const Settings settings = parse_id(id).settings;
   return std::max(settings.lanes, settings.segments) <= 4 && settings.threads == 1;

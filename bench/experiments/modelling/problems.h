@@ -23,6 +23,7 @@ std::string id_in(std::string_view id, Modelling kind, Frames frames = Frames::l
 /// Returns the problem of a case in some coordinates, to be compared with the quadruple reference
 /// of the natural model by names of entities.
 /// - natural: the same in natural coordinates, with that reference
+///
 /// Throws std::runtime_error where an entity is at rest in one of the two models alone.
 bench::Problem problem_in(const Scene& scene, const bench::Problem& natural, Modelling kind);
 

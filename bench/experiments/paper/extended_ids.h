@@ -18,8 +18,8 @@ struct TimedConfiguration : Configuration {
 
 /// Ids beyond the paper's, measured at the largest of its sizes: the reference with its own best
 /// settings, and generated code with the same guess. The latter solves one part after the other,
-/// equal axles at once, or segments of the motion at once, on registers of 256 and of 512 bits and
-/// on two threads.
+/// equal axles at once (lanes), or segments of the motion at once. Lanes and segments are on
+/// registers of 256 and of 512 bits; segments also on two threads.
 inline constexpr std::array<std::string_view, 9> extended_ids{
     "global_automatic_klu/guess:adams8/jacobian:step/tolerance:1e-10",
     "group_symbolic_inlined/guess:adams8/tolerance:1e-10",

@@ -31,7 +31,7 @@ std::shared_ptr<MeasuredCase> measured_case(const Case& definition, int coordina
 /// there is none is not to be run.
 ///
 /// Throws UnreadableFile and InputError, naming the file, for one that cannot be read or says
-/// something wrong, and std::invalid_argument where its name is that of a case of the suite.
+/// something wrong. Throws std::invalid_argument where its name is that of a case of the suite.
 std::shared_ptr<MeasuredCase> measured_scene(const std::string& file, const Options& options);
 
 }  // namespace desmo::paper

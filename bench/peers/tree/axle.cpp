@@ -131,9 +131,8 @@ int Axle::solve(const Moving<double>& left, const Moving<double>& right, const A
   }
 }
 
-/// Solves (C−G)·v = 0 and (C−G)·a + v·v = 0 of both rods for ψ̇, θ̇ and ψ̈, θ̈, where v and a are
-/// velocity and acceleration of C. Terms without these unknowns (`known_…`) are on the right-hand
-/// side.
+/// Solves (C−G)·v = 0 and (C−G)·a + v·v = 0 of both rods for ψ̇, θ̇ and ψ̈, θ̈. v and a are velocity
+/// and acceleration of C. Terms without these unknowns (`known_…`) are on the right-hand side.
 void Axle::solve_rates(const Closure& at, const Roll& roll, const Angles& angles) {
   const Eigen::Matrix2d inverse = at.jacobian.inverse();
   Eigen::Vector2d b;
