@@ -105,16 +105,13 @@ Instant LiveRun::solved() const {
   return instant_of(0, {formulation_.q(), formulation_.qd(), formulation_.qdd()}, options_.level);
 }
 
-/// Checks a row, which the formulation has solved or not. Makes it the last good row unless it
-/// fails.
+/// Checks a row, solved or not by the formulation. Makes it the last good row unless it fails.
 void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   c.begin.time = c.motions.lead_to(row);
+  c.follower->left_out.take_between();  // of a way that led to no row
   const RefinedInstant* found = c.motions.has_begun() ? follow(row, summary) : start(row, summary);
-  if (!found) {
-    c.follower->left_out.take_between();  // of a way that leads to no row
-    return;
-  }
+  if (!found) return;
   summary.condition = found->last.condition;
   if (!options_.scales && found->proven) c.scales->take(found->instant);
   keep(row.time, found->instant);
@@ -161,10 +158,8 @@ const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
       if (!way.passed.empty()) summary.flag = start_flag(RowFlag::Kind::crossing, way, row.time);
       if (found.proven) return return_to(row.time, found, summary);
       summary.flag.reset();
-      c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
-    } else {
-      c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
     }
+    c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
   } else if (is_solved && !c.lost) {  // no proven row before: the branch is unknown
     c.lost = {.kind = RowFlag::Kind::branch, .after = time_, .before = row.time};
   }
