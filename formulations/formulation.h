@@ -24,12 +24,14 @@ namespace desmo {
 ///
 /// Rule of threads, in all of desmo:
 /// - Threads may share what nobody changes meanwhile: a Model, Settings, generated code and all
-///   tables, such as variants(). These outlive the formulations that use them.
+///   tables, such as variants(). A Model and generated code must outlive the formulations that use
+///   them.
 /// - One thread at a time uses a Formulation, a LiveRun or an Observer: each thread makes its own.
-/// - A formulation with Settings::threads above 1 calls its observer from several threads, one call
-///   at a time, or the observers that Observer::of_thread() gives, each from its own thread.
-/// - One thing is of the whole process: the threads that OpenBLAS may use inside `lapack`. Set its
-///   variable OPENBLAS_NUM_THREADS to 1 where several threads solve.
+/// - A formulation with Settings::threads above 1 may call its observer from several threads, one
+///   call at a time. Observers that Observer::of_thread() returns are called without a lock, each
+///   by one thread.
+/// - The whole process shares the number of threads that OpenBLAS uses inside `lapack`. Set the
+///   environment variable OPENBLAS_NUM_THREADS to 1 where several threads solve.
 class Formulation {
  public:
   virtual ~Formulation() = default;
@@ -38,32 +40,34 @@ class Formulation {
 
   /// Assembles the mechanism at time t [s] from the model's estimate; forgets what was solved
   /// before. level: the highest that is solved. After a failure all coordinates are unspecified,
-  /// and the next step assembles. Neither this nor step() throws. A step that succeeds after this
-  /// or a step takes no memory from the heap; a library inside may take some.
+  /// and the next step assembles. Neither this nor step() throws, unless memory runs out. A step
+  /// that follows this or another step, and succeeds without sub-steps, takes no memory from the
+  /// heap; a library inside may take some.
   Summary assemble(double t, Level level = Level::acceleration) { return do_assemble(t, level); }
 
   /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
-  /// Calls assemble() where nothing was solved before. After any other failure positions are those
-  /// before the call, and the next step goes on from there; rates are unspecified. Where earlier
-  /// instants were solved to lower levels than Settings::guess needs, a simpler guess replaces it.
-  /// t may be any number: an earlier one goes back, and the one of the last instant solves that
-  /// again. NaN or an infinite t fails, as Status::not_finite.
+  /// Assembles where nothing was solved before, or the last assembly failed. After any other
+  /// failure positions are those before the call, and the next step goes on from there; rates are
+  /// unspecified. Where earlier instants were solved to lower levels than Settings::guess needs, a
+  /// simpler guess replaces it. t may be any number: an earlier one goes back, and the one of the
+  /// last instant solves that again. NaN or an infinite t fails, usually as Status::not_finite.
   Summary step(double t, Level level = Level::acceleration) { return do_step(t, level); }
 
   /// Runs through the motion that the model's drivers have: assembles at the first instant of the
   /// grid, solves the others as the settings say, and hands each to the observer. Stops at the
-  /// first failure, after it handed on all that it solved, or where the observer says so. A stopped
-  /// run leaves the formulation at the last instant handed on; with segments, threads or a stride,
-  /// at an unspecified one. Throws std::invalid_argument for a request that names a coordinate
-  /// twice or one that does not exist.
+  /// first failure, after it handed on all that it solved, or where the observer says so. A run
+  /// that the observer stops leaves the formulation at the last instant handed on; with segments,
+  /// threads or a stride, at an unspecified one. Throws std::invalid_argument for a request that
+  /// names a coordinate twice or one that does not exist.
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
 
   /// Solves each part only to the highest level that is needed of its unknowns. needed: the level
   /// of each coordinate, as Plan::levels has them: a coordinate that a part reads must have the
-  /// part's level or a higher one. Values above these levels are unspecified. A stride solves all
-  /// levels, since it interpolates with them. Call it between steps or runs, never in a run. Where
-  /// it raises levels, assemble next: a step would predict from rates that were not solved. Throws
-  /// std::invalid_argument where `needed` has not one level for each coordinate.
+  /// part's level or a higher one. Values above these levels are unspecified. With Settings::stride
+  /// above 1 all levels are solved, since interpolation needs them. Call it between steps or runs,
+  /// never in a run. Where it raises levels, assemble next: a step would predict from rates that
+  /// were not solved. Throws std::invalid_argument where `needed` has not one level for each
+  /// coordinate.
   void solve_only(std::span<const Level> needed);
 
   const Model& model() const { return model_; }
@@ -71,8 +75,9 @@ class Formulation {
   /// Returns the settings that the formulation was made with.
   const Settings& settings() const { return settings_; }
 
-  /// Returns the bound on ‖Φ‖₂ of the whole mechanism that instants meet: the one of the settings,
-  /// or what rounding leaves if that is more, as in long chains and far from the origin. With
+  /// Returns the limit of ‖Φ‖₂ of the whole mechanism, relative like Settings::tolerance, that
+  /// every solved instant meets. It is the settings' tolerance or, if larger, the rounding floor of
+  /// the parts, as with many bodies in a row and far from the origin. With
   /// Settings::fixed_iterations instants need not meet it.
   double tolerance() const { return tolerance_; }
 
@@ -83,12 +88,13 @@ class Formulation {
   std::span<const double> qdd() const;
 
   /// Returns a value of the instant solved last by its name, such as "C.x" or "theta", as
-  /// Model::value() does, or its rate. In a loop, look up Model::coordinate() before it.
+  /// Model::value() does, or its rate. In a loop, read q()[i] instead, with i =
+  /// Model::coordinate(name) looked up before.
   double value(const std::string& name, Level level = Level::position) const;
 
  private:
-  // The base of every formulation. The library sees more of it through a header that is not
-  // installed.
+  // TimeStepping is the only derived class. The library reaches it through motion/internals.h,
+  // which is not installed.
   friend class TimeStepping;
   Formulation(const Model& model, const Settings& settings, double tolerance)
       : model_(model), settings_(settings), tolerance_(tolerance) {}
@@ -102,8 +108,8 @@ class Formulation {
   double tolerance_;
 };
 
-/// Returns status and residual as a text; on failure also the time and, if known, group and
-/// constraint.
+/// Returns status and residual as a text; on success also the numbers of instants and iterations,
+/// on failure the time and, if known, group and constraint.
 std::string describe(const Summary& summary, const Model& model);
 
 }  // namespace desmo

@@ -18,27 +18,28 @@ namespace desmo {
 
 namespace {
 
-/// The shortest text that reads back to the same number, the exponent without zeros: 1e-6.
+/// Returns the shortest text in scientific notation that reads back to the same number, its
+/// exponent without leading zeros: 1e-6.
 std::string shortest(double value) {
   std::array<char, 32> text;
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific);
   std::string result(text.data(), end.ptr);
-  const std::size_t digits = result.find('e') + 2;  // after the sign
+  const std::size_t digits = result.find('e') + 2;  // first digit of the exponent
   result.erase(digits, std::min(result.find_first_not_of('0', digits), result.size() - 1) - digits);
   return result;
 }
 
-/// One setting as it stands in ids.
+/// A setting that ids can name, as /key:value.
 struct Suffix {
   std::string_view key;
-  std::string values;  ///< for messages
+  std::string values;  ///< list of all values, for messages
   std::function<std::string(const Settings&)> print;
-  /// False when there is no such value.
+  /// Reads a value into the setting. Returns false when there is no such value.
   std::function<bool(std::string_view, Settings&)> parse;
 };
 
-/// Returns the suffix of a setting that is one of a few.
+/// Returns the suffix of a setting with named values. names: one for each enumerator, in order.
 template <class Choice>
 Suffix choice(std::string_view key, Choice Settings::*setting,
               const std::vector<std::string_view>& names) {
@@ -80,7 +81,7 @@ Suffix tolerance() {
           }};
 }
 
-/// In the order in which they stand in an id.
+/// Returns all suffixes in the order in which they stand in an id.
 const std::vector<Suffix>& suffixes() {
   static const std::vector<Suffix> all{
       choice("coordinates", &Settings::coordinates,
@@ -123,7 +124,7 @@ void apply(std::string_view id, std::string_view text, std::vector<bool>& given,
 std::string id_with(const Variant& v, const Settings& settings) {
   std::string id = v.id;
   for (const Suffix& suffix : suffixes())
-    if (const std::string value = suffix.print(settings); value != suffix.print({}))  // the paper's
+    if (const std::string value = suffix.print(settings); value != suffix.print({}))  // the default
       id += "/" + std::string(suffix.key) + ":" + value;
   return id;
 }

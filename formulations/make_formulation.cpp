@@ -21,24 +21,24 @@ namespace desmo {
 
 namespace {
 
-/// Returns what generated eliminations fall back to: dense, with pivoting, without heap memory.
-/// Every build has it.
+/// Returns the library that solves steps which generated eliminations refuse: dense, with pivoting,
+/// without heap memory in steps. Every build has it.
 const Backend& pivoting_backend() { return *find_backend("eigen"); }
 
 /// Ingredients that all parts of a formulation share.
 struct Common {
   const Model& model;
   const Variant& variant;
-  const Settings settings;  // with a part's share of the tolerance
+  const Settings settings;  // their tolerance is the share of one part
   const Magnitudes magnitudes;
   Profile* profile;
   const KernelTable& table;
 };
 
-/// A part in the making: a pivoting part so far, with what generated code is bound to.
+/// An unfinished part: solved by Newton's method at first, with what a generated elimination needs.
 struct Draft {
   DefinedPart part;
-  std::optional<BoundKernel> bound;  // nothing: the part stays as it is
+  std::optional<BoundKernel> bound;  // kernel of the elimination; nothing: no such kernel
   std::vector<double> weights;
   PartSettings settings;
 };
@@ -83,7 +83,7 @@ void make_explicit(const Common& common, Draft& d) {
 }
 
 /// Makes the parts kind by kind: Newton parts, then inlined, then explicit ones. So the memory that
-/// every step uses lies together, apart from the workspaces of fallbacks.
+/// every step uses lies together, separate from the workspaces of fallbacks.
 std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefinition> definitions) {
   std::vector<Draft> drafts;
   drafts.reserve(definitions.size());
@@ -131,7 +131,8 @@ std::unique_ptr<SegmentExecutor> make_segments_in_lanes(
   return std::make_unique<SegmentsInLanes>(common.model, std::move(lanes), settings, common.table);
 }
 
-/// Makes what solves segments of a motion at once. Null: the settings ask for none.
+/// Makes the executor that solves segments of a motion at once. Returns null where the settings ask
+/// for none.
 std::unique_ptr<SegmentExecutor> make_segments(const Common& common,
                                                const std::vector<PartDefinition>& definitions,
                                                const Settings& settings) {
@@ -140,7 +141,7 @@ std::unique_ptr<SegmentExecutor> make_segments(const Common& common,
   return nullptr;
 }
 
-/// Makes a formulation of settings that it supports.
+/// Makes a formulation with settings that the variant supports.
 std::unique_ptr<TimeStepping> make_solver(const Variant& v, const Model& m,
                                           const Settings& settings, Profile* profile,
                                           const KernelTable& table) {

@@ -22,7 +22,7 @@ std::vector<Variant> make_variants(std::span<const Backend* const> with) {
       for (const Backend* backend : with)
         table.push_back({partition_name + "_" + evaluation_name + "_" + std::string(backend->name),
                          partition, evaluation, backend->name});
-    // All unknowns at once would be one type of part for every size of a mechanism.
+    // Not for `global`: its one part would be of another type for every size of a mechanism.
     if (partition != Partition::global)
       for (const char* algebra : {"inlined", "explicit"})
         table.push_back(

@@ -12,7 +12,7 @@
 
 namespace desmo {
 
-class KernelTable;  // of generated code (GeneratedCode)
+class KernelTable;  // equations/kernel_table.h
 
 /// A formulation of the suite: a partition of the unknowns, a way to evaluate the equations, and an
 /// algebra that solves the linear systems.
@@ -41,7 +41,7 @@ const Variant& find_variant(std::string_view id);
 /// when it does. Settings that are not offered are refused, never silently replaced.
 std::string unsupported_reason(const Variant& variant, const Settings& settings);
 
-/// Returns why this machine cannot run these settings, which a variant offers; empty when it can.
+/// Returns why this machine cannot run settings that a variant offers; empty when it can.
 std::string unavailable_reason(const Settings& settings);
 
 /// Returns why this machine cannot run the variant of that id: its library is absent. Empty when it
@@ -52,10 +52,10 @@ std::string unavailable_reason(std::string_view id);
 /// variants that are missing, and why. Libraries that are not installed are not listed.
 std::vector<std::string> faulty_libraries();
 
-/// Makes a formulation: analyses the model, which must outlive it, and allocates everything. Parts
-/// for which desmo was built without generated code are inlined or evaluated automatically. Throws
-/// std::invalid_argument, naming the place, for a model that it cannot solve, and with the reason
-/// for settings that it does not offer (unsupported_reason, unavailable_reason).
+/// Makes a formulation: analyses the model, which must outlive it, and allocates what steps need.
+/// Parts for which desmo was built without generated code are inlined or evaluated automatically.
+/// Throws std::invalid_argument, naming the place, for a model that it cannot solve, and with the
+/// reason for settings that it does not offer (unsupported_reason, unavailable_reason).
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
                                               const Settings& settings = {});
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model&& model,
