@@ -6,7 +6,7 @@
 
 namespace desmo {
 
-/// Consecutive indices: a loop over a range looks no index up.
+/// Consecutive indices first … end − 1. A loop over a range looks no index up.
 struct IndexRange {
   int first, end;
 };

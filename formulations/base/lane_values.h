@@ -6,13 +6,13 @@
 
 namespace desmo {
 
-/// Alignment [bytes] of memory that the widest registers can be loaded from at once.
+/// Alignment [bytes] of numbers in lanes: the size of the widest register.
 inline constexpr std::size_t lane_alignment = 64;
 
 /// Numbers of a batch, the lanes of each side by side: number k of lane l at k · lanes + l.
 using LaneValues = std::vector<double, boost::alignment::aligned_allocator<double, lane_alignment>>;
 
-/// Copies a few numbers, which are not worth the call that std::copy_n makes of them.
+/// Copies a few numbers without the function call that std::copy_n would make.
 template <std::size_t size>
 void copy_in_registers(const double* __restrict from, double* __restrict to) {
   for (std::size_t k = 0; k < size; ++k) to[k] = from[k];

@@ -9,8 +9,8 @@ namespace desmo {
 /// Coordinates in which a mechanism is modelled. Every model has the points, vectors and relative
 /// coordinates of the mechanism under the same names.
 enum class Modelling {
-  natural,    ///< these are the coordinates, mixed as the paper has them
-  basis,      ///< the same; what is linear in the basis of a body is derived from it
+  natural,    ///< exactly these: the paper's natural and mixed coordinates
+  basis,      ///< the same; those that are linear in the basis of a body are derived from it
   reference,  ///< position and orientation of each body, from which all else is derived
   relative,   ///< joint variables of a spanning tree, from which all else is derived
 };

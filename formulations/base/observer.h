@@ -12,17 +12,18 @@ namespace desmo {
 /// requested level are empty. They hold all coordinates in their order or, if the observer lends
 /// memory, the requested ones, in that memory.
 struct Instant {
-  int index;                           ///< position in the run's grid
-  double time;                         ///< [s]
-  std::span<const double> q, qd, qdd;  ///< lengths in the model's unit, angles [rad]; per s; per s²
-  long updates = 0;                    ///< work that it took, as Summary::updates
-  double residual = 0;                 ///< ‖Φ‖₂ where it was accepted, as in Summary
-  bool interpolated = false;           ///< not solved itself (see Settings::stride)
-  OutputView output{};                 ///< the lent memory, which the observer may lend again
+  int index;    ///< position in the run's grid
+  double time;  ///< [s]
+  /// Positions (lengths in the model's unit, angles [rad]), velocities (per s), accelerations (per
+  /// s²).
+  std::span<const double> q, qd, qdd;
+  long updates = 0;           ///< work to solve it, counted like BasicSummary::updates
+  double residual = 0;        ///< relative ‖Φ‖₂ of the accepted position; 0: interpolated
+  bool interpolated = false;  ///< true: not solved (see Settings::stride)
+  OutputView output{};        ///< the lent memory, which the observer may lend again
 };
 
-/// Returns an instant of all coordinates in the memory of `values`, which may end before the level.
-/// Its index is 0. time: [s]
+/// Returns an instant, with index 0, whose spans are those of `values` up to `level`. time: [s]
 inline Instant instant_of(double time, const PerLevel<std::span<const double>>& values,
                           Level level = Level::acceleration) {
   Instant instant{.index = 0, .time = time, .q = values.position, .qd = {}, .qdd = {}};
@@ -31,7 +32,7 @@ inline Instant instant_of(double time, const PerLevel<std::span<const double>>& 
   return instant;
 }
 
-/// Returns an instant with other values, at the levels that it has.
+/// Returns the instant with the spans of `values` instead, at the levels that are not empty.
 inline Instant with_values(Instant instant, const PerLevel<std::span<const double>>& values) {
   instant.q = values.position;
   if (!instant.qd.empty()) instant.qd = values.velocity;
@@ -54,12 +55,12 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// Takes an instant: in order of time, each once, unless any_order() allows others. Returns
-  /// whether the run goes on.
+  /// Takes an instant of the grid. Each comes once, in order, unless any_order() is true: then in
+  /// any order, and again after restart(). Returns whether the run goes on.
   virtual Flow observe(const Instant& instant) noexcept = 0;
 
-  /// Returns the preferred number of instants in a call of lend(), which may ask for more. 0: the
-  /// observer lends none, and instants come in memory of the solver.
+  /// Returns the preferred number of instants in a call of lend(), which may ask for fewer or more.
+  /// 0: the observer lends none, and instants come in memory of the solver.
   virtual int lent_at_once() const noexcept { return 0; }
   /// Lends memory for instants to come; called if lent_at_once() is not 0. instants: their indices.
   /// outputs: to be filled, one for each. The solver owns this memory until it hands over the

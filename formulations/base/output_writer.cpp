@@ -20,8 +20,8 @@ std::vector<int> places_of(std::span<const int> requested, int coordinates) {
   return places;
 }
 
-/// Copies numbers that were written a moment ago. The call that std::copy_n makes reads the last of
-/// them first, and waits until they are stored.
+/// Copies numbers that were written a moment ago. std::memmove, which std::copy_n calls, may read
+/// the last ones first and has to wait until they are stored.
 void copy_range(const double* from, std::size_t size, double* to) {
   constexpr std::size_t together = 16;
   if (size < together) {
@@ -31,7 +31,7 @@ void copy_range(const double* from, std::size_t size, double* to) {
   const double* const last = from + (size - together);
   double* const last_to = to + (size - together);
   for (; from < last; from += together, to += together) copy_in_registers<together>(from, to);
-  copy_in_registers<together>(last, last_to);  // what is left, and some of them once more
+  copy_in_registers<together>(last, last_to);  // the last 16, some of them for the second time
 }
 
 }  // namespace

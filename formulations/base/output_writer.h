@@ -29,8 +29,8 @@ class OutputWriter {
   /// Copies the requested coordinates of an instant to the instant's output. The instant's spans
   /// then view the output. On entry they view all coordinates.
   void write(Instant& instant) const;
-  /// Hands an instant to an observer: the requested coordinates in memory that the observer lends,
-  /// or all in the instant's.
+  /// Hands an instant to an observer: the requested coordinates in memory that the observer lends
+  /// or, where it lends none, all coordinates in the instant's own memory.
   Flow hand_over(const Instant& instant, Observer& observer) const;
 
  private:
@@ -42,17 +42,18 @@ class OutputWriter {
   std::size_t size_ = 0;
 };
 
-/// A pool of outputs of one level, which grows to the number that is lent at once. Each output
-/// begins on cache lines of its own, since several threads fill them.
+/// A pool of outputs of one level. It grows to the largest number that is taken at once. Each
+/// output begins on cache lines of its own, since several threads fill them.
 class OutputPool {
  public:
   /// size: number of coordinates in an output.
   OutputPool(std::size_t size, Level level) : size_(size), level_(level) {}
-  OutputPool(OutputPool&&) = default;  // outputs stay where they are
+  OutputPool(OutputPool&&) = default;  // the outputs' addresses stay valid
 
   std::size_t size() const { return size_; }
 
-  /// Returns the output that was given back last, or a new one, filled with NaN.
+  /// Returns the output that was given back last or, where there is none, a new one filled with
+  /// NaN.
   OutputView take() {
     if (free_.empty()) add();
     const OutputView taken = free_.back();
@@ -67,7 +68,7 @@ class OutputPool {
 
   std::size_t size_;
   Level level_;
-  std::vector<LaneValues> memory_;  // by output
+  std::vector<LaneValues> memory_;  // the arrays of each output
   std::vector<OutputView> free_;
 };
 

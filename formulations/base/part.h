@@ -17,7 +17,7 @@ namespace desmo {
 class ResidentPart;  // base/resident_part.h
 
 /// Settings of one part: those of the analysis that its solver reads, and its own limits. All
-/// limits are on ‖Φ‖₂ of the part's own equations, each over its magnitude.
+/// limits are on ‖Φ‖₂ of the part's own equations, each divided by its magnitude.
 struct PartSettings {
   /// rounding: the part's rounding floor, which replaces a tolerance below it.
   explicit PartSettings(const Settings& s, double rounding = 0)
@@ -32,35 +32,36 @@ struct PartSettings {
   }
 
   double tolerance;
-  double stop = tolerance;    ///< iterations end below it; 0: their number is fixed
-  double accept = tolerance;  ///< a position below it is a solution; infinite for a fixed number
-  int max_iterations;         ///< largest number of iterations of Newton's method
+  double stop = tolerance;    ///< limit below which iterations end; 0: their number is fixed
+  double accept = tolerance;  ///< limit below which a position is a solution; infinite if stop is 0
+  int max_iterations;         ///< maximum number of iterations of Newton's method in one attempt
   JacobianUpdate jacobian;
   /// True where the rounding floor is the tolerance. Newton's method then makes one more correction
-  /// once it has met the tolerance. Explicit parts need none: their cores are iterated to a
-  /// fraction of the tolerance.
+  /// once it has met the tolerance, if any iteration is left. Explicit parts need none: their cores
+  /// are iterated to a fraction of the tolerance.
   bool at_rounding;
 };
 
 /// The outcome of one part in one step.
 struct PartResult {
   Status status = Status::solved;
-  /// Iterations of Newton's method, its failed attempts included. Those of generated code in a step
-  /// that it refused are not: PartCounts::fallbacks counts such steps.
+  /// Iterations of Newton's method, its failed attempts included. Iterations of generated code
+  /// before it refused the step are not all included.
   int iterations = 0;
-  double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
+  double residual2 = 0;  ///< ‖Φ‖₂² at the end, each equation divided by its magnitude
 };
 
 /// Counts of what a part met so far. InlinedPart leaves out assemblies, which start from estimates.
 struct PartCounts {
-  /// Number of times a pivot order that is meant to last had gone bad and was chosen anew:
+  /// Number of times a pivot order that is meant to last was chosen anew:
   /// - linear solvers that reuse pivots: new choices of the order after the first
   /// - generated code: its fallbacks
   long refactorisations = 0;
-  /// Steps that generated code refused: a pivot, a divisor or a square root is too small, or its
-  /// iterations do not converge. A pivoting part solves them.
+  /// Number of steps that generated code left to a pivoting part: a pivot, a divisor or a square
+  /// root was too small, or the equations were not satisfied.
   long fallbacks = 0;
-  /// Fallbacks that ended on another branch than the step before, where the part can tell.
+  /// Number of fallbacks that ended on another branch than the step before, where the part can
+  /// tell.
   long branch_changes = 0;
 
   PartCounts& operator+=(const PartCounts& other) {
@@ -78,7 +79,7 @@ struct PartInputs {
   /// Other unknowns of its own, ascending: angles in closed form, unwrapped to within half a turn
   /// of their last values.
   std::vector<int> unwrapped;
-  std::vector<int> others;  ///< coordinates, not its own, that it reads in the state
+  std::vector<int> others;  ///< all other positions in the state that it may read
   /// Driven coordinates that it takes from the driver row (ResidentPart::begin_step): entry k of
   /// the row is coordinate drivers[k]. A coordinate that several lanes read is there several times.
   /// Where no step was begun, solve() reads them in the state.
@@ -102,7 +103,8 @@ class Part {
   /// reads: all unknowns of the part, as predicted ones, and all others in its equations.
   virtual PartInputs inputs(PartInputs equations) const { return equations; }
 
-  /// Returns the part as one that keeps what it finds; null: it leaves all in the state.
+  /// Returns this part if it keeps results of its own from step to step; null: all are in the
+  /// state.
   virtual ResidentPart* resident() { return nullptr; }
 
   /// Makes a chain of the first of `parts`: this one and as many more as can be solved in one call.
@@ -115,9 +117,10 @@ class Part {
   /// Returns what the part counted in all its steps.
   virtual PartCounts counts() const { return {}; }
 
-  /// Voids what earlier steps left behind: the next solve() starts from an estimate.
+  /// Discards what earlier steps left in the part. Until end_assembly(), solve() starts from an
+  /// estimate.
   virtual void forget() {}
-  /// Tells that the assembly is over, which began with forget(): what follows are steps.
+  /// Tells that the assembly that began with forget() is over: each later solve() is a step.
   virtual void end_assembly() {}
 };
 

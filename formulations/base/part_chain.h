@@ -10,8 +10,8 @@ namespace desmo {
 class PartChain {
  public:
   struct Result {
-    int solved = 0;      ///< number of members before the first that has to be solved by itself
-    int iterations = 0;  ///< largest number of iterations of a member
+    int solved = 0;  ///< number of members solved, before the first that has to be solved by itself
+    int iterations = 0;         ///< largest number of iterations of a member
     long total_iterations = 0;  ///< sum over the solved members
     double residual2 = 0;       ///< ‖Φ‖₂² of the solved members together
   };

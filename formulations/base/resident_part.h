@@ -42,8 +42,8 @@ class ResidentPart {
   virtual void deliver(const OutputView& output, Level level) const = 0;
   /// Writes the instant solved last to the state: unknowns, and drivers taken from the row.
   virtual void store(State& state) const = 0;
-  /// Writes positions of the instant before the one solved last, or tried; nothing where that one
-  /// was not predicted from it.
+  /// Writes the positions of the instant before the one that was solved or tried last. Writes
+  /// nothing where the last one did not start from a prediction.
   virtual void restore(std::span<double> q) const = 0;
 };
 

@@ -29,18 +29,18 @@ enum class Guess {
 };
 
 /// When Φ_φ, the Jacobian of a part by its unknowns, is factorised. Positions are accepted by the
-/// tolerance alone, whatever the factors. Velocity and acceleration share those of the solved
-/// position.
+/// tolerance alone, whatever the factors. Velocities and accelerations use the factors at the
+/// solved position.
 enum class JacobianUpdate {
-  newton,  ///< in every iteration, and at the solved position
-  step,    ///< at the solved position, also for the next step's iterations
+  newton,  ///< in every iteration and, for rates, at the solved position
+  step,    ///< for rates, at the solved position; the next step's iterations use these factors, too
 };
 
 /// Evaluation of derived unknowns, such as those of a body's frame, in Newton's method. Their rates
 /// follow from linear systems in any case.
 enum class Frames {
   linearised,  ///< the linear system of an iteration corrects them, too
-  exact,       ///< in steps each iteration evaluates them at the others, which it has corrected
+  exact,  ///< in steps, each iteration corrects the other unknowns only and evaluates these there
 };
 
 /// Permutation of a matrix to block triangular form by KLU, before it factorises the blocks.
@@ -60,9 +60,9 @@ struct Settings {
   /// Limit of Newton–Raphson iterations of one part in one attempt, 1 or more.
   int max_iterations = 25;
   Guess guess = Guess::previous;
-  /// 0: iterate until the tolerance is met. 1 … max_fixed_iterations: exactly this number of
-  /// iterations a step, whatever ‖Φ‖₂ is, so that a step's work does not depend on rounding; an
-  /// assembly repeats them until the tolerance is met or max_iterations times.
+  /// 0: iterate until the tolerance is met. 1 … max_fixed_iterations: this number of iterations of
+  /// each part in a step, whatever ‖Φ‖₂ is, so that a step's work does not depend on rounding. An
+  /// assembly repeats them until the tolerance is met, at most max_iterations times.
   int fixed_iterations = 0;
   JacobianUpdate jacobian = JacobianUpdate::newton;
   BlockTriangularForm btf = BlockTriangularForm::on;  ///< used by KLU alone
@@ -75,11 +75,12 @@ struct Settings {
   /// Number of threads, 1 … max_threads, each of which solves a segment of a motion known in
   /// advance; short motions use fewer. 1: all is done on the caller's thread.
   int threads = 1;
-  /// Distance of the instants of a run that are solved, 1 … max_stride: every stride-th and the
-  /// last; the others are on the quintic through q, q̇ and q̈ of the two solved about them. 1: all
-  /// are solved. step(), assemble() and checked runs after a jump or a gap always solve.
+  /// Distance, in instants, of those that a run solves, 1 … max_stride: every stride-th and the
+  /// last. The others lie on the quintic through q, q̇ and q̈ of the two solved instants around
+  /// them. 1: all are solved. step() and assemble() always solve; checked runs solve all instants
+  /// after a jump or a gap.
   int stride = 1;
-  Modelling coordinates = Modelling::natural;  ///< of the model
+  Modelling coordinates = Modelling::natural;  ///< coordinates of the model that is solved
   Frames frames = Frames::linearised;          ///< for coordinates with frames (has_frames)
 };
 

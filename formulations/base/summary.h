@@ -7,7 +7,7 @@ enum class Status {
   solved,
   not_converged,  ///< the tolerance was not met in the iterations allowed
   singular,       ///< Φ_φ could not be factorised
-  not_finite,     ///< Φ is not a finite number
+  not_finite,     ///< ‖Φ‖₂ is not a finite number
 };
 
 /// The content of every summary. It has no verdict: each kind of summary has one of its own.
@@ -19,12 +19,12 @@ struct BasicSummary {
   /// and instants. A measure of work.
   long updates = 0;
   long sub_steps = 0;  ///< sub-steps tried, where a step could not be solved at once
-  /// Largest accepted ‖Φ‖₂ of the whole mechanism or, on failure, the one that failed; relative,
-  /// like the tolerance.
+  /// Largest accepted ‖Φ‖₂ of the whole mechanism, relative like the tolerance. On failure, that of
+  /// the parts up to the failed one at the failed instant; NaN where none was evaluated.
   double residual = 0;
-  int group = -1;  ///< on failure, the position in Model::groups of the one not solved, if known
-  int constraint = -1;   ///< on failure, that of the constraint most concerned, if known
-  double time = 0;       ///< time of the last instant tried [s]; stopped in segments: unspecified
+  int group = -1;  ///< on failure, position in Model::groups of the group not solved; -1: unknown
+  int constraint = -1;  ///< on failure, position of the constraint most concerned; -1: unknown
+  double time = 0;  ///< time of the last instant tried [s]; unspecified after a stop in segments
   bool stopped = false;  ///< the observer ended the run
 
   /// Adds the summary of the next instant. If that failed, takes over its status, group, constraint
