@@ -12,8 +12,8 @@ namespace desmo {
 
 namespace {
 
-/// Returns the decomposition of the incidence matrix (equations × unknowns): one where an equation
-/// reads an unknown.
+/// Returns the decomposition of the incidence matrix (equations × unknowns), which is 1 where an
+/// equation reads an unknown.
 CSparseForm incidence_form(const Model& m, const PartDefinition& part) {
   const int equations = static_cast<int>(part.equations.size());
   std::vector<std::pair<int, int>> ones;

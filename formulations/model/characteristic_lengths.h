@@ -8,7 +8,8 @@
 namespace desmo {
 
 /// Returns whether a constraint joins two points or more. A distance coordinate is then one between
-/// points; otherwise it is a component of one point, which tells where the frame's origin is.
+/// points. Otherwise it may be a component of one point, which tells where the origin of
+/// coordinates is.
 bool joins_points(const Model& model, const Constraint& constraint);
 
 /// Characteristic lengths of points and distances, against which errors are measured. They come
@@ -22,19 +23,19 @@ class CharacteristicLengths {
   CharacteristicLengths(const Model& model, std::span<const double> q);
 
   /// Returns the length of a point or a distance: the largest distance between two points of a
-  /// constraint on it, or the largest distance coordinate of such a constraint. That of a
-  /// constraint on a single point counts as nominal_size() at most: it may only tell where the
-  /// origin is. When all are zero, returns the largest length of its group, else of the mechanism,
-  /// else 1.
+  /// constraint on it, or the largest distance coordinate of such a constraint. A distance
+  /// coordinate counts as nominal_size() at most where its constraint does not join points: it may
+  /// only tell where the origin is. When all are zero, returns the largest length of its group,
+  /// else of the mechanism, else 1.
   double of(EntityId entity) const;
 
-  /// Returns the smallest length of these constraints that is not 0; falls back likewise.
+  /// Returns the smallest length of these constraints that is not 0; falls back like of(entity).
   double shortest(EntityId entity) const;
 
   /// Returns the length of each coordinate's point or distance; 1 for vectors and angles.
   std::vector<double> of_coordinates() const;
 
-  /// Returns the largest length of a constraint's points and distances; falls back as above.
+  /// Returns the largest length of a constraint's points and distances; falls back like of(entity).
   double of(const Constraint& constraint) const;
 
   /// Returns the largest distance between two points of a constraint, or of its distance
@@ -46,10 +47,10 @@ class CharacteristicLengths {
   double or_wider(double length, GroupId group) const;
 
   const Model& m_;
-  const std::vector<double> q_;           // positions at which lengths are taken
+  const std::vector<double> q_;           // position at which lengths are taken
   const double size_;                     // nominal_size() of the model
-  std::vector<double> about_, of_group_;  // by entity, by group; 0: no length
-  std::vector<double> shortest_;          // by entity
+  std::vector<double> about_, of_group_;  // largest length on each entity, in each group; 0: none
+  std::vector<double> shortest_;          // smallest positive length on each entity; 0: none
   double of_all_ = 0;
 };
 

@@ -9,8 +9,8 @@ namespace desmo {
 
 namespace {
 
-/// Returns whether the derivatives of a constraint by the entity that it derives, of this size, are
-/// (r, r, ±1).
+/// Returns whether ∂Φ/∂e of a constraint is diagonal with entries ±1, where e is the entity that it
+/// derives. size: number of components of e.
 bool is_explicit(const Constraint& c, int size) {
   bool result = true;
   int entries = 0;
@@ -51,7 +51,7 @@ class DerivationGraph {
 
  private:
   const Model& m_;
-  std::vector<int> by_;  // constraint; no_position: it is not derived
+  std::vector<int> by_;  // constraint that derives each entity; no_position: none
 };
 
 }  // namespace
@@ -73,7 +73,8 @@ void keep_derivations(Model& m) {
 }
 
 std::vector<Derivation> derivations(const Model& m, const PartDefinition& part) {
-  // Derivations are whole constraints: Partition::block may put one equation into another part.
+  // Each equation counts by itself: Partition::block may put equations of one constraint into
+  // several parts.
   std::vector<std::vector<Derivation>> of_entity(m.entities.size());
   std::vector<int> by(m.entities.size(), no_position);
   std::vector<EntityId> order;

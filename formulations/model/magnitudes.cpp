@@ -14,12 +14,12 @@ namespace desmo {
 
 namespace {
 
-/// Smallest magnitude of an equation, as a share of its second-order change: an equation whose
-/// derivatives vanish has one, too. Links down to this fraction of the bodies that they join keep
-/// their own magnitude.
+/// Minimum magnitude of an equation, relative to its second-order change: an equation whose first
+/// derivatives vanish has a magnitude, too. A distance of at least about this fraction of its
+/// characteristic length keeps the magnitude of its first derivatives.
 constexpr double min_share = 1e-3;
 
-/// Returns the size of an entity's components once it has moved by about `length`.
+/// Returns the norm of an entity plus that of a motion: `length`, or 1 for directions and angles.
 double reach(const Model& m, EntityId e, const double* x, double length) {
   const Entity& entity = m.entities[e];
   double norm = 0;
@@ -27,14 +27,15 @@ double reach(const Model& m, EntityId e, const double* x, double length) {
   return norm + (is_length(entity.kind) ? length : 1);
 }
 
-/// Sizes of the rows of a constraint.
+/// Magnitude and rounding error of each row of a constraint.
 template <std::size_t rows>
 struct RowSizes {
   std::array<double, rows> magnitude{};
-  std::array<double, rows> rounding{};  // u Σⱼ |∂Φ/∂qⱼ| |qⱼ|
+  std::array<double, rows> rounding{};  // u Σⱼ |∂Φ/∂qⱼ| |qⱼ|, u = 2⁻⁵³
 };
 
-/// Returns the sizes of the rows of a constraint whose lengths are about `length`.
+/// Returns magnitude and rounding error of the rows of a constraint. length: its characteristic
+/// length.
 template <class Kind>
 RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
                                const std::vector<double>& state, double length) {
@@ -42,7 +43,7 @@ RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
   std::array<double, operands> size, change;
   std::array<std::array<double, max_components>, operands>
-      move;  // a little of everything, to and fro
+      move;  // displacement of each operand, signs alternating
   const auto x = operands_of<Kind>(m, c, state.data());
   std::array<const double*, operands> v;
   for (std::size_t k = 0; k < operands; ++k) {

@@ -9,16 +9,18 @@
 namespace desmo {
 
 /// Natural magnitude of every equation of a model, which makes Φ comparable in any units. An
-/// equation over its magnitude states, to first order, the error of its coordinates relative to
-/// their own magnitudes.
+/// equation divided by its magnitude states, to first order, the error of its coordinates relative
+/// to their own magnitudes.
 ///
 /// The magnitude of a coordinate is 1 for a vector or an angle. For a point or a distance it is the
 /// characteristic length of the constraint (characteristic_lengths.h).
 ///
-/// The magnitude of an equation is ‖∂Φ/∂qⱼ · magnitude of qⱼ‖₂ over its operands at the nominal
-/// position, independent of rotations of the frame. It is at least a thousandth of the second-order
-/// change, for a distance may start at zero; 1 if both vanish. It is positive and finite. When all
-/// lengths grow by λ, it grows by λ for equations in lengths, by λ² for products of lengths.
+/// The magnitude of an equation is the Euclidean norm of ∂Φ/∂qⱼ · magnitude of qⱼ over all its
+/// coordinates at the nominal position. Rotations of the coordinate system do not change it. It is
+/// at least a thousandth of the second-order change that displacements by these magnitudes make,
+/// for a distance may start at zero. It is 1 where both vanish. It is positive and finite. When all
+/// lengths grow by a factor λ, it grows by λ for equations in lengths, by λ² for products of
+/// lengths.
 class Magnitudes {
  public:
   explicit Magnitudes(const Model& model);
@@ -28,10 +30,11 @@ class Magnitudes {
   /// Returns 1/magnitude of each equation of a part.
   std::vector<double> weights(const PartDefinition& part) const;
 
-  /// Returns the rounding floor of a part: ‖Φ‖₂, each equation over its magnitude, of positions
-  /// rounded to double precision. Newton's method gets no further. An equation contributes u Σⱼ
-  /// |∂Φ/∂qⱼ| |qⱼ|, where |qⱼ| includes one characteristic length of motion. The floor grows with
-  /// the distance from the origin, where coordinates are rounded more coarsely.
+  /// Returns the rounding floor of a part: a bound on ‖Φ‖₂, each equation divided by its magnitude,
+  /// of positions rounded to double precision. Newton's method gets no further. An equation
+  /// contributes u Σⱼ |∂Φ/∂qⱼ| |qⱼ| with u = 2⁻⁵³, where |qⱼ| includes one characteristic length of
+  /// motion. The floor grows with the distance from the origin, where coordinates are rounded more
+  /// coarsely.
   double rounding(const PartDefinition& part) const;
 
   /// Returns the magnitude of each unknown of a part: 1, or the characteristic length of its point
@@ -43,8 +46,8 @@ class Magnitudes {
     return static_cast<std::size_t>(first_row_[equation.constraint] + equation.row);
   }
 
-  std::vector<int> first_row_;                // by constraint
-  std::vector<double> magnitude_, rounding_;  // by row
+  std::vector<int> first_row_;                // row of each constraint's first equation
+  std::vector<double> magnitude_, rounding_;  // of each row
   std::vector<double> of_coordinate_;
 };
 

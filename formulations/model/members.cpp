@@ -9,7 +9,7 @@ namespace desmo {
 
 namespace {
 
-/// Returns where numbers are among ascending ones, without those that are not there.
+/// Returns the positions of numbers among ascending ones; leaves out numbers that are not there.
 std::vector<int> positions_in(std::span<const int> ascending, std::span<const int> numbers) {
   std::vector<int> result;
   for (const int number : numbers)

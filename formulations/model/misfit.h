@@ -15,15 +15,16 @@ struct Misfit {
   double amount = 0;
   bool is_length = false;  ///< amount is in the model's unit of length; else a number or [rad]
 
-  /// Returns the amount over a length of the equation; without lengths, the amount itself.
+  /// Returns the amount divided by a length of the equation; without lengths, the amount itself.
   double over(double length) const { return is_length ? amount / length : amount; }
 };
 
-/// Returns Φ of a constraint at a state (rows).
+/// Returns Φ of a constraint (rows) at a state (state_size).
 std::vector<double> residual_of(const Model& model, const Constraint& constraint,
                                 std::span<const double> state);
 
-/// Returns the misfit of an equation: |Φ| over its steepest slope by a length, else by any operand.
+/// Returns the misfit of an equation: |Φ| divided by its steepest slope with respect to a length
+/// or, where it has none, to any operand.
 /// - constraint, row: the equation
 /// - residual: Φ
 /// - state: where the slopes are taken (state_size)

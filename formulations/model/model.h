@@ -42,32 +42,31 @@ enum class EquationSource { ground, coordinate, joint, body };
 /// A constraint: a kind applied to entities, with its dimensions.
 struct Constraint {
   std::string name;
-  int kind;  ///< position in the fixed list of kinds; constraint_kind_name() tells its name
+  int kind;  ///< position in ConstraintKinds; constraint_kind_name() returns its name
   std::vector<EntityId> operands;
-  std::vector<Derived> constants;  ///< formulations use their values; proofs all of them
+  std::vector<Derived> constants;  ///< dimensions; formulations use their values alone
   GroupId group;                   ///< group that it determines
   /// Bit r: row r is omitted. It depends on other equations, or is between constants.
   unsigned left_out = 0;
-  /// Bounds on what digits of the file leave of each row of Φ; empty: nothing. Only proofs use
-  /// them.
+  /// Bound on the error of each row of Φ that the limited digits of the file cause; empty: 0. Only
+  /// proofs use it.
   std::vector<double> slack{};
-  /// Operand that Φ is explicit in, ∂Φ/∂operand = ±1: the constraint is a *derivation* of it from
-  /// the others. no_position: the constraint is a *closure*.
+  /// Position of the operand that Φ is explicit in (∂Φ/∂operand: diagonal, ±1): the constraint is a
+  /// *derivation* of it from the others. no_position: the constraint is a *closure*.
   int derives = no_position;
   /// Φ₀ of each row in Newton's homotopy Φ(q, t) = (1 − t) Φ₀; empty: Φ(q, t) = 0. Only proofs use
   /// it.
   std::vector<double> initial_residual{};
-  EquationSource source =
-      EquationSource::ground;  ///< in the mechanism; only the selection of equations reads it
+  EquationSource source = EquationSource::ground;  ///< only the selection of equations reads it
 };
 
-/// A structural group: a chain that is kinematically determinate once the groups before it are
-/// solved (paper, section 2).
+/// A structural group: a kinematic chain that is determinate once the groups before it are solved
+/// (paper, section 2).
 struct Group {
   std::string name;
   std::vector<std::string> bodies;
-  std::vector<EntityId> entities;  ///< entities that model it, as the paper counts them
-  std::vector<GroupId> after;      ///< groups that are solved before, since bodies are joined
+  std::vector<EntityId> entities;  ///< those of its bodies and joints, as the paper counts them
+  std::vector<GroupId> after;      ///< earlier groups whose bodies are joined to its own
   bool constant = false;           ///< depends on no driver; not counted as a structural group
 };
 
@@ -87,15 +86,16 @@ struct Driver {
 /// that add() and add_fixed() were given.
 struct Model {
   std::string name;
-  std::string length_unit = "m";  ///< "1": a free unit
+  std::string length_unit = "m";  ///< name of the unit of length; "1": none is named
   Modelling modelling = Modelling::natural;
   std::vector<Entity> entities;
   std::vector<Constraint> constraints;  ///< contiguous by group, in group order
   std::vector<Group> groups;            ///< in solution order
   std::vector<Driver> drivers;
-  std::vector<double> estimate;             ///< initial estimate of q (coordinates())
-  std::vector<double> fixed_values;         ///< components of the fixed entities
-  std::vector<Remainder> fixed_remainders;  ///< what each of them lacks of the file's
+  std::vector<double> estimate;      ///< initial estimate of q (coordinates())
+  std::vector<double> fixed_values;  ///< components of the fixed entities
+  /// Remainder of each fixed value: the file's number minus the value.
+  std::vector<Remainder> fixed_remainders;
 
   int coordinates() const { return static_cast<int>(estimate.size()); }
   int degrees_of_freedom() const { return static_cast<int>(drivers.size()); }
@@ -106,7 +106,7 @@ struct Model {
     return entities[e].fixed ? coordinates() + entities[e].first : entities[e].first;
   }
 
-  /// Returns a component of a fixed entity as the file means it.
+  /// Returns a component of a fixed entity as the file means it. i: position in fixed_values.
   Derived fixed_value(std::size_t i) const { return {fixed_values[i], fixed_remainders[i]}; }
 
   /// Returns the state at positions q (coordinates()): q, then the fixed values (state_size()).
@@ -126,8 +126,8 @@ struct Model {
 
   /// Returns the position in q, q̇ and q̈ of a coordinate by its name (coordinate_name()): "C.x", a
   /// component of a point or vector C, or "theta", an angle or a distance. Look it up once, before
-  /// a loop. Throws std::invalid_argument when it is fixed, or when there is none (with names that
-  /// exist).
+  /// a loop. Throws std::invalid_argument when it is fixed, or when there is none; the message then
+  /// suggests names that exist.
   int coordinate(const std::string& name) const;
 
   /// Returns the value of that name at a level, where `values` are q, q̇ or q̈. A fixed entity has
@@ -152,8 +152,9 @@ struct Model {
   /// entity.
   void drive(EntityId coordinate, Motion motion);
 
-  /// Adds a constraint to its group. Throws std::invalid_argument, naming the constraint, when an
-  /// operand has another size than the kind needs or a constant is not finite.
+  /// Adds a constraint after all others; validate() checks that those of a group follow each other.
+  /// Throws std::invalid_argument, naming the constraint, when an operand has another size than the
+  /// kind needs or a constant is not finite.
   void add(Constraint constraint);
 
  private:
@@ -193,11 +194,11 @@ bool is_linear(const Constraint& constraint);
 /// Returns the number of scalar equations of a constraint without omitted ones.
 int kept_rows(const Constraint& constraint);
 
-/// Returns whether a constraint is between fixed entities alone. It determines nothing: all of its
-/// rows are left out, and it stands after the others of its group.
+/// Returns whether a constraint is between fixed entities alone. It determines nothing: modelling
+/// leaves out all of its rows, and puts it after the others of its group.
 bool is_constant(const Model& model, const Constraint& constraint);
 
-/// Throws std::invalid_argument unless coordinates are natural: proofs speak of them alone.
+/// Throws std::invalid_argument unless coordinates are natural: proofs exist for these alone.
 void require_natural(const Model& model);
 
 /// Returns the entity that a constraint derives; no_position: it is a closure.

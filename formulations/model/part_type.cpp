@@ -72,7 +72,8 @@ PartType describe_type(const Model& m, const PartDefinition& part) {
 }
 
 std::vector<int> gather_types(const Model& m, std::vector<PartDefinition>& parts) {
-  // Depth: the longest chain of parts that must be solved before. Then first come, first served.
+  // Depth: length of the longest sequence of parts that must be solved before. Types are numbered
+  // by first appearance.
   std::vector<int> depth_of_coordinate(m.coordinates(), -1);
   std::map<std::string, int> number_of_type;
   std::vector<std::tuple<bool, int, int>> rank;

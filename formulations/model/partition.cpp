@@ -52,7 +52,7 @@ std::vector<PartDefinition> make_partition(const Model& m, Partition partition) 
   require_solution_order(m);
   std::vector<PartDefinition> constant, moving;
   for (PartDefinition& group : whole_groups(m)) {
-    if (group.unknowns.empty() && group.equations.empty()) continue;  // drivers only
+    if (group.unknowns.empty() && group.equations.empty()) continue;  // it has drivers only
     if (group.constant) {
       constant.push_back(std::move(group));
     } else if (partition == Partition::block) {

@@ -39,14 +39,15 @@ struct DefinedPart {
   /// missing and another kind stands in for it.
   bool as_named = true;
   Level level = Level::acceleration;  ///< highest level at which its unknowns are requested
-  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share of the whole, or what rounding leaves.
+  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share of the whole or, if larger, its
+  /// rounding floor.
   double tolerance = 0;
 };
 
 /// Returns the parts of a partition in solution order. Constant groups come first, each a part of
-/// its own; groups of drivers only are omitted. In other than natural coordinates, parts that are
-/// no blocks are cut by split_outputs(). Throws std::invalid_argument when a group needs a
-/// coordinate of a later group, or (Partition::block) is structurally singular.
+/// its own; groups of drivers only are omitted. In other than natural coordinates, moving parts are
+/// cut by split_outputs(), except with Partition::block. Throws std::invalid_argument when a group
+/// needs a coordinate of a later group, or (Partition::block) is structurally singular.
 std::vector<PartDefinition> make_partition(const Model& model, Partition partition);
 
 /// Cuts a part into one part per group, in solution order.

@@ -63,16 +63,17 @@ class Upstream {
       need_output({e, Level::position});
   }
 
-  /// Needs what is read by the left-out equations of groups that are needed. Groups upstream come
-  /// after those that need them.
+  /// Marks as needed what left-out equations of needed groups read. It goes from the last group to
+  /// the first, since a group needs earlier ones only.
   void need_left_out_equations() {
     for (auto c = m_.constraints.rbegin(); c != m_.constraints.rend(); ++c)
       if (c->left_out && group_needed_[c->group])
         for (const EntityId operand : c->operands) need_output({operand, Level::position});
   }
 
-  /// Keeps the constraints left out whole that speak of what is kept: they can be checked. Those
-  /// between constants go with their group; a group without unknowns can be checked always.
+  /// Keeps constraints of which all rows are left out, where all operands are known: they can be
+  /// checked. A constraint between constants is kept with its group, and always in a group without
+  /// unknowns.
   void keep_consequences() {
     for (std::size_t c = 0; c < m_.constraints.size(); ++c) {
       const Constraint& constraint = m_.constraints[c];
@@ -89,7 +90,8 @@ class Upstream {
   }
 
   std::vector<PartDefinition> blocks;
-  std::vector<std::optional<Level>> block_level;  // none: not needed
+  // highest level needed of each block; none: it is not needed
+  std::vector<std::optional<Level>> block_level;
   std::vector<std::optional<Level>> entity_level;
   std::vector<bool> constraint_kept;
   std::vector<EntityId> serves;  // the first requested entity that needs each; -1: none
@@ -107,7 +109,7 @@ class Upstream {
   const Model& m_;
   std::vector<bool> has_unknowns_, group_needed_;  // by group
   std::vector<EntityId> owner_;
-  std::vector<int> block_of_coordinate_;  // -1: driven
+  std::vector<int> block_of_coordinate_;  // block that solves each coordinate; -1: it is driven
   std::vector<std::vector<int>> blocks_of_constraint_;
   std::vector<std::pair<int, Level>> waiting_;
 };
@@ -124,8 +126,8 @@ Members needed_members(const Model& whole, const Upstream& up) {
   return needed;
 }
 
-/// Returns whether the slopes of a block's equations by its unknowns stay the same when these
-/// change.
+/// Returns whether the Jacobian of a block by its unknowns is the same at the estimate and at one
+/// other position of these.
 bool is_linear(const Model& m, const PartDefinition& block, ScalarState<double>& drawn) {
   const std::vector<double> before = PartSystem<double>(m, block, drawn).jacobian;
   for (std::size_t k = 0; k < block.unknowns.size(); ++k) drawn.q[block.unknowns[k]] += k + 1;
@@ -138,7 +140,7 @@ bool is_linear(const Model& m, const PartDefinition& block, ScalarState<double>&
 /// equation is not linear. In a group of one body, such as a crank, equations count as linear that
 /// are so in the block's unknowns.
 /// - owner: entity of each coordinate
-/// - drawn: estimate and fixed values, changed while this is found out
+/// - drawn: estimate and fixed values; changed, then restored
 bool may_lock(const Model& m, const PartDefinition& block, const std::vector<EntityId>& owner,
               ScalarState<double>& drawn) {
   const auto is_geometric = [&](int coordinate) {

@@ -19,22 +19,22 @@ struct Output {
 struct Plan {
   /// Use of one group of the whole model.
   struct GroupUse {
-    std::string name;                     ///< of the group
+    std::string name;                     ///< name of the group
     int unknowns = 0, kept_unknowns = 0;  ///< unknowns of the group, and those still solved for
     int blocks = 0, kept_blocks = 0;      ///< irreducible blocks, and those still solved
     Level level = Level::position;        ///< highest level that is needed of it
-    /// A dropped block, whose positions nobody looks at, may have no solution, whatever the kept
-    /// ones have. Or a dropped equation between constants does not hold.
+    /// True where a dropped block may have no solution although the kept ones have one, or where a
+    /// dropped equation between constants may not hold.
     bool may_lock = false;
     std::vector<std::string> kept, dropped;  ///< names of its entities
-    /// Name of the requested entity for which the first entity is kept that was not requested
-    /// itself; empty: all that is kept was requested.
+    /// Name of the entity, usually an output, that needs the first kept entity that is no output.
+    /// Empty: all kept entities are outputs.
     std::string serves;
   };
 
   Model model;                   ///< part of the whole model that is solved
   std::vector<Level> levels;     ///< highest level that is needed of each coordinate
-  std::vector<Output> outputs;   ///< by their ids in `model`
+  std::vector<Output> outputs;   ///< the requested outputs, with ids of entities in `model`
   std::vector<GroupUse> groups;  ///< groups of the whole model, in solution order
 
   /// Returns the highest level of the outputs.
@@ -43,9 +43,9 @@ struct Plan {
 
 /// Extent of a plan: what it solves besides what its outputs need.
 enum class PlanExtent {
-  outputs,             ///< nothing
+  outputs,             ///< nothing else
   left_out_equations,  ///< positions that left-out equations of its groups read
-  mechanism,           ///< positions of all else
+  mechanism,           ///< positions of all other entities
 };
 
 /// Reduces a model to what outputs need. Keeps the irreducible blocks upstream of the outputs, with

@@ -10,7 +10,7 @@ namespace desmo {
 
 namespace {
 
-/// Below this part of what would be natural, a rate is the rounding of one that is zero.
+/// Ratio of a largest rate to its natural size, up to which (≤) it counts as the rounding of zero.
 constexpr double nothing = 1e-20;
 
 double norm(std::span<const double> values, const Entity& e) {

@@ -9,14 +9,14 @@
 
 namespace desmo {
 
-/// Returns whether entities of a kind are lengths: points and distances are, vectors (directions)
-/// and angles are not.
+/// Returns whether entities of a kind are lengths: points and distances are; vectors (directions),
+/// angles and orientations are not.
 bool is_length(EntityKind kind);
 
 /// Returns the size of a mechanism in its unit of length: the diagonal of the axis-parallel box
 /// around all points in the nominal position or, where that is larger, the nominal value of a
-/// coordinate that is a distance. How far the points are from the origin does not matter. Returns 1
-/// where this size is 0.
+/// distance coordinate between points. How far the points are from the origin does not matter.
+/// Returns 1 where this size is 0.
 double nominal_size(const Model& model);
 
 /// Returns the nominal magnitude of each coordinate: the nominal size for points and distances, 1
@@ -36,8 +36,8 @@ std::vector<double> nominal_magnitudes(const Model& model);
 /// A column that does not accelerate gets velocity² over the position scale. The scales of rates
 /// are 0 when nothing moves.
 struct Scales {
-  PerLevel<double> length{1, 0, 0};    ///< [unit of length], [1/s], [1/s²] times that
-  PerLevel<double> rotation{1, 0, 0};  ///< [1 or rad], over s, over s²
+  PerLevel<double> length{1, 0, 0};    ///< [unit of length], per s, per s²
+  PerLevel<double> rotation{1, 0, 0};  ///< [1] or [rad], per s, per s²
 
   double of(EntityKind kind, Level level) const {
     return is_length(kind) ? length[level] : rotation[level];
@@ -47,7 +47,7 @@ struct Scales {
 /// Computes the scales of the motion that a reference samples.
 Scales make_scales(const Model& model, std::span<const ReferenceInstant> reference);
 
-/// Returns |difference| / scale of two values. 0/0 gives 0, other NaN gives infinity.
+/// Returns |difference| / scale; 0 where the difference is 0, infinity where the quotient is NaN.
 double relative(double difference, double scale);
 
 }  // namespace desmo

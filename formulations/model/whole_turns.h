@@ -11,14 +11,14 @@
 
 namespace desmo {
 
-/// A turn leads back where no coordinate is farther from its first place than this, over its
-/// nominal magnitude: what a slow shaft turns in a turn of a fast one is more, what is rounded is
-/// less.
+/// Maximum drift (≤) of a turn that leads back: distance of a coordinate from its first value,
+/// relative to its nominal magnitude. Rounding makes less. A slow shaft makes more while a fast one
+/// turns once.
 inline constexpr double max_drift = 1e-9;
 
-/// Returns whether all equations say the same at two positions: coordinates are the same, but for
-/// whole turns of angles and for drivers; and tables are read in the same places, but for whole
-/// lengths of those that repeat. What led from the one to the other leads on to the next, then.
+/// Returns whether two positions are the same for all equations, except for drivers and whole turns
+/// of angles. Tables must be read at the same places, except for whole lengths of those that
+/// repeat. The motion from one position to the other can then be repeated.
 /// - from, to: coordinates or states
 inline bool is_back(const Model& m, std::span<const double> from, std::span<const double> to) {
   constexpr double turn = 2 * std::numbers::pi;
