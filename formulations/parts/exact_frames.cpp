@@ -13,7 +13,8 @@ namespace {
 std::vector<PartDefinition> by_level(const Model& m, const PartDefinition& part,
                                      std::span<const Derivation> derivations) {
   std::vector<PartDefinition> levels;
-  std::vector<std::size_t> first_level(m.entities.size(), 0);  // that may read each entity
+  // first level that may read each entity
+  std::vector<std::size_t> first_level(m.entities.size(), 0);
   for (const auto& [row, column] : derivations) {
     const Equation& equation = part.equations[row];
     const Constraint& c = m.constraints[equation.constraint];
@@ -55,7 +56,7 @@ ExactFrames::ExactFrames(const Model& m, const PartDefinition& part,
 
 ExactFrames::Level ExactFrames::make_level(const Model& m,
                                            std::unique_ptr<const Equations> equations) {
-  // Derivations of a level do not read each other: their Jacobian is diagonal but for the order.
+  // Derivations of a level do not read each other: their Jacobian is a permuted diagonal matrix.
   const Pattern& pattern = equations->pattern();
   std::vector<double> values(pattern.size());
   equations->constant_jacobian(values.data());
@@ -68,7 +69,7 @@ ExactFrames::Level ExactFrames::make_level(const Model& m,
 }
 
 void ExactFrames::residual(const Equations&, double* q, Eigen::VectorXd& phi) {
-  double zero = 0;  // no number, where something derived is none
+  double zero = 0;  // 0; NaN where a derived unknown is not finite
   for (const Level& level : levels_) {
     level.equations->residual(q, residual_.data());
     for (const auto& [place, row, inverse] : level.derived) {

@@ -15,14 +15,14 @@
 
 namespace desmo {
 
-/// Iterations in which a linear system corrects all unknowns, derived ones among them.
+/// Newton iterations in which a linear system corrects all unknowns, derived ones included.
 struct LinearisedFrames {
   static void residual(const Equations& equations, const double* q, Eigen::VectorXd& phi) {
     equations.residual(q, phi.data());
   }
   static void solve(JacobianFactors& factors, Eigen::VectorXd& b) { factors.solve(b); }
 
-  /// Calls solve_position(frames) with the iterations of the part's next position.
+  /// Returns solve_position(frames) with the kind of iterations for the part's next position.
   template <class Call>
   [[gnu::always_inline]] PartResult choose(const Call& solve_position) {
     return solve_position(*this);
@@ -31,12 +31,14 @@ struct LinearisedFrames {
   void end_assembly() {}
 };
 
-/// Iterations on x, the unknowns of a part that are not derived. Derivations are explicit in what
-/// they derive, y = f(x, y before), and are evaluated in their order. Newton's method then solves
+/// Newton iterations on x, the unknowns of a part that are not derived. Derivations are explicit in
+/// the unknowns y that they derive, and are evaluated in their order: each reads x and the y
+/// derived before. Newton's method then solves
 ///
 ///   Φ_c(x, y(x)) = 0,     with the Jacobian A_r = C_x − C_y D_y⁻¹ D_x (see Condensed).
 ///
-/// Derivations hold but for rounding, so that neither of the two passes around A_r⁻¹ is needed.
+/// Derivations hold except for rounding, so that neither of the two passes of Condensed::solve()
+/// around A_r⁻¹ is needed.
 ///
 /// An assembly iterates with linearised frames. From an estimate far off, y(x) leads farther away
 /// the longer the chain of bodies is: with 140 dyads in one part Newton's method did not converge.
@@ -44,13 +46,13 @@ class ExactFrames {
  public:
   using MakeEquations = std::function<std::unique_ptr<const Equations>(const PartDefinition&)>;
 
-  /// - derived: of the part (see derivations())
-  /// - make_equations: makes the equations of a piece of the part
+  /// - derived: the derivations of the part (see derivations())
+  /// - make_equations: makes the evaluation of some equations of the part, as many as unknowns
   ExactFrames(const Model& model, const PartDefinition& part, std::span<const Derivation> derived,
               const MakeEquations& make_equations);
 
-  /// Overwrites the derived unknowns in q by their values at the others, and phi (n) by Φ there,
-  /// with 0 in the rows of derivations.
+  /// Overwrites the derived unknowns in q by their values at the others, and phi (n) by Φ there.
+  /// Rows of derivations become 0, or NaN where a derived unknown is not finite.
   void residual(const Equations&, double* q, Eigen::VectorXd& phi);
 
   static void solve(JacobianFactors& factors, Eigen::VectorXd& b) { factors.solve_closures(b); }
@@ -65,8 +67,8 @@ class ExactFrames {
 
  private:
   struct DerivedUnknown {
-    int place, row;  // in the state, among the equations of its level
-    double inverse;  // of the derivative of its equation by it: ±1
+    int place, row;  // position in the state, row among the equations of its level
+    double inverse;  // 1 / (derivative of its equation by it): ±1
   };
   /// Derivations that read nothing of the part but x and what earlier levels derive.
   struct Level {
@@ -78,8 +80,8 @@ class ExactFrames {
 
   std::vector<Level> levels_;
   std::unique_ptr<const Equations> closures_;
-  std::vector<int> closure_row_;  // row in the part of each closure
-  std::vector<double> residual_;  // of a level or of the closures
+  std::vector<int> closure_row_;  // row of each closure among the part's equations
+  std::vector<double> residual_;  // workspace: Φ of a level or of the closures
   bool is_assembling_ = true;
 };
 

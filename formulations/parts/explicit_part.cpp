@@ -7,15 +7,15 @@ namespace desmo {
 
 namespace {
 
-/// Share of the tolerance at which a core stops. Later definitions amplify what a core leaves; an
-/// eighth costs less than another iteration.
+/// Limit of a core's ‖Φ‖₂ relative to that of the part (<). Unknowns that follow from the core
+/// amplify its error.
 constexpr double core_share = 1.0 / 8;
 
-/// Numbers of equal steps of a continuation of the torn unknowns: first one, then more.
+/// Numbers of equal steps of a continuation of the torn unknowns: 1 is tried first, then 4.
 constexpr int torn_steps[] = {1, 4};
 
-/// Parts that share a kernel, solved in one call of it. One that the kernel refuses is tried by it
-/// once more when it is solved by itself.
+/// A chain of parts that share a kernel, solved in one call of it. A part that the kernel refuses
+/// is tried by it once more when it is solved by itself.
 class ExplicitChain final : public PartChain {
  public:
   /// members: of one kernel; they outlive the chain, and what their bindings point to stays where
@@ -40,8 +40,9 @@ class ExplicitChain final : public PartChain {
 
  private:
   std::vector<const ExplicitPart*> members_;
-  std::vector<ExplicitBinding<double>> bindings_;  // of the members, next to each other in memory
-  int assembled_ = 0;                              // members from the first on, since forget()
+  // copies of the members' bindings, next to each other in memory
+  std::vector<ExplicitBinding<double>> bindings_;
+  int assembled_ = 0;  // number of leading members found assembled since forget()
 };
 
 }  // namespace
@@ -98,9 +99,10 @@ PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level lev
   return {Status::solved, r.iterations, r.residual2};
 }
 
-/// Continues the torn unknowns from the last position to the present one in `steps` equal steps of
-/// the known coordinates, by their rates: the change of what is known is taken for its velocity.
-/// Returns whether the code accepts all positions on the way.
+/// Moves the known coordinates from the last position to the present one in `steps` equal steps,
+/// and the torn unknowns by their rates (Euler's method). The velocity of a known coordinate is its
+/// whole change, so that the way takes a unit of time. Returns whether the code accepts the
+/// position at the beginning of each step.
 bool ExplicitPart::continue_torn(State& s, std::span<const double> last, int steps) {
   for (std::size_t i = 0; i < known_.size(); ++i) {
     const int k = known_[i];
@@ -121,7 +123,7 @@ bool ExplicitPart::continue_torn(State& s, std::span<const double> last, int ste
   return accepted;
 }
 
-/// Not inlined: every step would have to save the registers that it needs.
+/// Not inlined: every step would have to save the registers that this function needs.
 [[gnu::noinline]] PartResult ExplicitPart::solve_refused(State& s, std::span<const double> last,
                                                          Level level) {
   if (!kernel_.torn.empty())
@@ -140,7 +142,7 @@ bool ExplicitPart::continue_torn(State& s, std::span<const double> last, int ste
                                                      Level level) {
   for (const int input : kernel_.unknowns) s.q[inputs_[input]] = last[inputs_[input]];
   const PartResult result = fallback_->solve(s, last, level);
-  // After a fixed number of iterations a position may still be on its way to a branch.
+  // After a fixed number of iterations a position may not have reached a branch yet.
   if (result.status == Status::solved && result.residual2 < tolerance_ * tolerance_) {
     kernel_.find_branches(s.q.data(), binding_.in, binding_.c, branch_);
     std::ranges::fill(anchors_, 0.0);

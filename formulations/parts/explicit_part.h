@@ -10,12 +10,12 @@
 
 namespace desmo {
 
-/// A group or block solved by generated code in explicit order. The first position after
-/// forget() is found from its estimate by `fallback`, iterating on the original equations; on which
-/// side of each square root it lies is the assembly branch, which later steps keep. A step that the
-/// code refuses, where a root or a divisor is too small or the original equations are not
-/// satisfied, is tried again with the torn unknowns led from the last position: the prediction may
-/// be where a square root has no value. What is refused then, too, is left to `fallback`, from the
+/// A group or block solved by generated code in explicit order. `fallback` finds the first position
+/// after forget() from the last positions, iterating on the original equations. The signs of the
+/// square roots there are the assembly branch, which later steps keep. The code refuses a step
+/// where a root or a divisor is too small or the original equations are not satisfied. The step is
+/// then tried again with torn unknowns that are continued from the last position, since a square
+/// root may have no value at the prediction. If it is refused again, `fallback` solves it from the
 /// last position, and the branches are those of its solution.
 class ExplicitPart final : public Part {
  public:
@@ -41,11 +41,12 @@ class ExplicitPart final : public Part {
   bool assembled() const { return assembled_; }
   const ExplicitKernel& kernel() const { return kernel_; }
   const ExplicitBinding<double>& binding() const { return binding_; }
-  /// Positions in the state of all that the kernel reads or writes there.
+  /// Returns the positions in the state that the kernel reads or writes.
   std::span<const int> places() const { return inputs_; }
   std::size_t constants() const { return constants_; }
   std::size_t equations() const { return equations_; }
-  /// The branches kept, ±1 each, in the order of ExplicitKernel::branches; 0 before any position.
+  /// Returns the branches kept: the sign of each square root, ±1, in the order of
+  /// ExplicitKernel::branches; 0 before any position.
   std::span<const double> branches() const { return {branch_, kernel_.branches.size()}; }
 
  private:
@@ -66,9 +67,9 @@ class ExplicitPart final : public Part {
   struct Known {
     double q, qd;
   };
-  std::vector<Known> at_end_;  // of the step, by known_, while torn unknowns are led there
+  std::vector<Known> at_end_;  // values of known_ at the end of the step, kept by continue_torn()
   std::size_t constants_, equations_;
-  std::vector<double> numbers_;  // what binding_ points to, side by side, and branches before
+  std::vector<double> numbers_;  // arrays of binding_ except `in`, and branch_before_
   double *branch_, *branch_before_;
   std::span<double> anchors_;
 };

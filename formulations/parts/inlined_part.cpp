@@ -15,7 +15,7 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
       unknowns_(std::move(unknowns)),
       start_(unknowns_.size()) {}
 
-/// Not inlined: every step would have to save the registers that it needs.
+/// Not inlined: every step would have to save the registers that this function needs.
 [[gnu::noinline]] InlinedResult InlinedPart::once_more(State& s, int iterations) const {
   InlinedResult position = bound_.kernel->position(s.q.data(), bound_.inputs.data(),
                                                    bound_.constants.data(), weights_.data(), 0, 1);

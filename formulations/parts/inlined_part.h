@@ -35,12 +35,12 @@ class InlinedPart final : public Part {
   BoundKernel bound_;
   std::vector<double> weights_;
   int max_iterations_;
-  double stop2_, accept2_;  // on ‖Φ‖₂²: see PartSettings
+  double stop2_, accept2_;  // squares of PartSettings::stop and accept
   bool at_rounding_;
   std::unique_ptr<Part> fallback_;
   std::vector<int> unknowns_;
   std::vector<double> start_;                  // unknowns at the start of the step
-  long fallbacks_ = 0, fallbacks_before_ = 0;  // before_: the assembly that has begun
+  long fallbacks_ = 0, fallbacks_before_ = 0;  // before_: at the last forget()
 };
 
 }  // namespace desmo

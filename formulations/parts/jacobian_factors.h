@@ -14,11 +14,12 @@
 
 namespace desmo {
 
-/// The Jacobian of a part, its factors, and the decision when they are made anew (JacobianUpdate):
+/// The Jacobian of a part, its factors, and the rule by which they are renewed (JacobianUpdate):
 ///
-/// - newton: in every iteration, and at the solved position.
-/// - step: at the solved position. The next step iterates with them, and converges linearly. Steps
-///   that end at the level of positions make them in their first iteration.
+/// - newton: in every iteration and, for rates, at the solved position.
+/// - step: for rates, at the solved position. The next step iterates with these factors, and
+///   converges linearly. A step after one that ended at the level of positions makes factors in its
+///   first iteration.
 ///
 /// Old factors are watched by the rate ρ = ‖Φ‖ / ‖Φ‖ before. They are replaced where
 /// LinearSolver::break_even_solves more corrections at that rate would not meet the tolerance.
@@ -32,12 +33,12 @@ namespace desmo {
 ///    evaluate_known(), and solve() for each rate
 class JacobianFactors {
  public:
-  /// - equations: of the part; outlive this object
+  /// - equations: those of the part; outlive this object
   /// - weights: 1/magnitude of each equation; copied
-  /// - magnitudes: of the unknowns; empty: all are 1; copied
-  /// - tolerance: limit of ‖Φ‖ below which a position is accepted; infinite: old factors never are
-  ///   too slow
-  /// - solver: of the equations' pattern
+  /// - magnitudes: one for each unknown; empty: all are 1; copied
+  /// - tolerance: limit of the weighted ‖Φ‖ below which a position is accepted; infinite: old
+  ///   factors are never too slow
+  /// - solver: made for the equations' pattern
   JacobianFactors(const Equations& equations, std::span<const double> weights,
                   std::span<const double> magnitudes, double tolerance,
                   std::unique_ptr<LinearSolver> solver)
@@ -83,7 +84,7 @@ class JacobianFactors {
   /// Returns whether the correction comes from old factors.
   bool corrects_with_old() const { return last_correction_ == Correction::by_old_factors; }
 
-  /// Ends a step at the level of positions: factors serve one step.
+  /// Ends a step at the level of positions: its factors do not serve the next one.
   void end_at_position() { has_factors_ = false; }
 
   // Members marked always_inline are called in every iteration of small parts. The compiler would
@@ -115,9 +116,10 @@ class JacobianFactors {
     none,
     by_old_factors,
     by_new_factors
-  };  // none: at no position yet
+  };  // none: the position has had no correction yet
 
-  /// Returns whether corrections as slow as the last one still meet the tolerance in good time.
+  /// Returns whether break_even_solves_ more corrections at the last one's rate would meet the
+  /// tolerance.
   bool are_fast_enough(double residual) const {
     return residual * std::pow(residual / last_residual_, break_even_solves_) < tolerance_;
   }
@@ -131,7 +133,7 @@ class JacobianFactors {
   std::vector<double> values_;
   bool has_factors_ = false;
   Correction last_correction_ = Correction::none;
-  double last_residual_ = 0;  // ‖Φ‖ an iteration ago
+  double last_residual_ = 0;  // weighted ‖Φ‖ before the last correction
 };
 
 }  // namespace desmo

@@ -25,7 +25,7 @@ struct PartContext {
   const Settings& analysis;
   PartSettings settings;
   Profile* profile = nullptr;        ///< receives the phases; null in timed code
-  std::vector<double> magnitudes{};  ///< of the unknowns; none: all are 1
+  std::vector<double> magnitudes{};  ///< of each unknown; empty: all are 1
 };
 
 /// Makes the part that a context describes: Newton–Raphson (see NewtonSolver) with linear systems

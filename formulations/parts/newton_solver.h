@@ -14,7 +14,7 @@
 
 namespace desmo {
 
-/// The rule that accepts a position. It accepts the first one within the limits, whatever factors
+/// The rule that accepts a position. It accepts the first one below the limits, whatever factors
 /// led there. At the rounding floor it asks for one more correction first, unless all iterations
 /// are done.
 class Acceptance {
@@ -35,19 +35,20 @@ class Acceptance {
 };
 
 /// A part solved by Newton–Raphson on its equations (paper, Fig. 2b), for every way of evaluating
-/// equations and of solving linear systems. JacobianFactors decides when Φ_φ is factorised. A
-/// correction by old factors is taken back unless it made ‖Φ‖ smaller or met the tolerance; one
-/// that led to NaN is taken back, too.
+/// equations and of solving linear systems. JacobianFactors decides when Φ_φ is factorised. While
+/// iterations are left, a correction by old factors is taken back unless it made ‖Φ‖ smaller or met
+/// the tolerance; one that led to NaN is taken back, too.
 ///
 /// A step that fails is tried a second time, from the same prediction, where factors or a pivot
 /// order may have been old. The second attempt discards both and factorises in every iteration.
 ///
-/// FrameMethod: LinearisedFrames or ExactFrames, by which an iteration finds derived unknowns.
+/// FrameMethod: LinearisedFrames or ExactFrames, which evaluates derived unknowns in an iteration.
 template <class FrameMethod>
 class NewtonSolverOf final : public Part {
  public:
-  /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units. magnitudes: of
-  /// the unknowns; empty: all are 1. linear_solver: of the pattern of these equations.
+  /// - weights: 1/magnitude of each equation, so that ‖Φ‖₂ does not depend on units
+  /// - magnitudes: one for each unknown; empty: all are 1
+  /// - linear_solver: made for the pattern of these equations
   NewtonSolverOf(std::unique_ptr<const Equations> equations, std::span<const double> weights,
                  std::span<const double> magnitudes, const PartSettings& settings,
                  std::unique_ptr<LinearSolver> linear_solver, FrameMethod frames = {})
@@ -177,7 +178,7 @@ class NewtonSolverOf final : public Part {
   Eigen::VectorXd weights_;
   JacobianFactors factors_;
   Eigen::VectorXd b_;           // right-hand side, then solution
-  Eigen::VectorXd correction_;  // the last one by old factors
+  Eigen::VectorXd correction_;  // last correction by old factors
   Eigen::VectorXd start_;       // unknowns at the start of the step
   FrameMethod frames_;
 };

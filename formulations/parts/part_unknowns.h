@@ -7,17 +7,17 @@
 
 namespace desmo {
 
-/// The places of a part's unknowns in the state.
+/// The positions of a part's unknowns in the state.
 class PartUnknowns {
  public:
-  /// unknowns: their places, ascending; they outlive this.
+  /// unknowns: their positions in the state, ascending; the array outlives this object.
   explicit PartUnknowns(std::span<const int> unknowns)
       : unknowns_(unknowns), ranges_(ranges_of(unknowns)) {
-    constexpr std::size_t min_mean = 8;  // loops over shorter ranges would cost more
+    constexpr std::size_t min_mean = 8;  // minimum mean length of ranges; shorter loops cost more
     if (ranges_.size() * min_mean > unknowns.size()) ranges_.clear();
   }
 
-  /// Calls call(place in the state, k) for each unknown k. Loops over long ranges fit wide
+  /// Calls call(position in the state, k) for each unknown k. Loops over long ranges fit wide
   /// registers.
   template <class Call>
   [[gnu::always_inline]] void for_each(Call call) const {

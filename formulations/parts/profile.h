@@ -9,9 +9,9 @@ namespace desmo {
 enum class Phase { residual, jacobian, factorisation, solve, right_hand_sides };
 inline constexpr int phase_count = 5;
 
-/// Accumulated time and calls of each phase, of all parts of one formulation.
+/// Accumulated time and number of calls of each phase, over all parts of one formulation.
 struct Profile {
-  std::array<double, phase_count> seconds{};  ///< includes the cost of reading the clock
+  std::array<double, phase_count> seconds{};  ///< [s], including reading the clock
   std::array<long, phase_count> calls{};
 
   /// Runs f and adds its time to a phase.

@@ -9,7 +9,7 @@
 
 namespace desmo {
 
-/// Equations whose evaluations are measured, so that no solver has a timer inside.
+/// Equations whose evaluations are measured, so that the solvers need no timers.
 class ProfiledEquations final : public Equations {
  public:
   ProfiledEquations(std::unique_ptr<const Equations> equations, Profile& profile)

@@ -30,7 +30,7 @@ class DenseLu {
     }
   }
 
-  /// Determinant of a: its sign, and the logarithm of its magnitude.
+  /// Determinant of a: its sign, and the natural logarithm of its magnitude.
   struct Determinant {
     int sign = 1;
     double log = 0;
@@ -60,9 +60,9 @@ class DenseLu {
   S& at(std::size_t i, std::size_t j) { return a_[i * n_ + j]; }
   const S& at(std::size_t i, std::size_t j) const { return a_[i * n_ + j]; }
 
-  std::vector<S> a_;  // L without its unit diagonal, then U
+  std::vector<S> a_;  // U on and above the diagonal, below it L, whose diagonal is 1
   std::size_t n_;
-  std::vector<std::size_t> pivot_;  // row exchanged with row k
+  std::vector<std::size_t> pivot_;  // [k]: row exchanged with row k
 };
 
 }  // namespace desmo

@@ -15,10 +15,10 @@
 namespace desmo {
 
 /// Assembly of a solution at its first instant, on the branch that the model's estimate, the
-/// drawing, declares. Short steps lead there: first by Newton's homotopy Φ = (1 − λ) Φ(drawing) at
-/// the drivers as drawn, then with drivers that go straight to where they begin. A step is accepted
-/// if Newton's method contracts from its prediction at once; others are halved. Solver: a solver of
-/// all positions in double, such as GroupwiseSolver<double>.
+/// drawing, declares. Short steps lead there: first by Newton's homotopy Φ = (1 − λ) Φ(drawing)
+/// with the drivers as drawn, then with drivers that move linearly to their first values. A step is
+/// accepted if Newton's method contracts from its prediction at once; otherwise it is halved.
+/// Solver: a solver of all positions in double, such as GroupwiseSolver<double>.
 template <class Solver>
 class DrawnStart {
  public:
@@ -40,7 +40,7 @@ class DrawnStart {
   }
 
   /// Returns the positions there; nothing where no steps lead there. Angles that are neither driven
-  /// nor coupled are those nearest to the drawing, whole turns apart.
+  /// nor coupled are changed by whole turns to the values nearest to the drawing.
   std::optional<std::vector<double>> find() {
     solver_.set_homotopy(1);
     const auto solve_drawing = [&](double s) { solver_.set_homotopy(1 - s); };
@@ -63,16 +63,18 @@ class DrawnStart {
 
  private:
   static constexpr double turn = 2 * std::numbers::pi;
-  /// Change of drivers in a step, and correction of its prediction, in nominal magnitudes.
+  /// Maximum change of a driver in a step, and of a coordinate by the first correction of the
+  /// prediction (≤), relative to nominal magnitudes.
   static constexpr double max_change = 0.1;
-  static constexpr double max_turns = 4;   // that are made unless all count; of more, none
-  static constexpr double settled = 1e-9;  // correction after which nothing is in doubt
+  // turns of a driver; more are left out, unless turns count
+  static constexpr double max_turns = 4;
+  static constexpr double settled = 1e-9;  // relative correction (≤) that ends an iteration
 
-  /// Returns how many whole turns an angle is `off` [rad]. Half a turn counts as none.
+  /// Returns the number of whole turns nearest to `off` [rad]. Half a turn counts as none.
   static double whole_turns(double off) { return std::round(off / turn * (1 - 0x1p-40)); }
 
-  /// Goes from s = 0 to 1, in steps of at most max_step. set(s): sets what is to be solved. Returns
-  /// whether it arrives.
+  /// Goes from s = 0 to s = 1 in steps of at most max_step. set(s): sets equations and drivers for
+  /// s. Returns whether it reaches s = 1.
   template <class Set>
   bool go(Set&& set, double max_step) {
     std::vector<double> last = solver_.q(), slope(last.size(), 0);
@@ -97,7 +99,8 @@ class DrawnStart {
     return true;
   }
 
-  /// Returns whether each correction is at most a quarter of the one before, until one settles.
+  /// Returns whether the first correction is at most max_change and each other one at most a
+  /// quarter of the one before, until one is at most `settled`.
   bool contracts() {
     double limit = max_change;
     try {
@@ -114,21 +117,21 @@ class DrawnStart {
 
   const Model& m_;
   Solver solver_;
-  const std::vector<bool> coupled_;       // angles, by entity
-  std::vector<double> drawn_, to_, way_;  // of the drivers
-  double farthest_ = 0;                   // way, in nominal magnitudes
+  const std::vector<bool> coupled_;       // see coupled_angles()
+  std::vector<double> drawn_, to_, way_;  // of each driver: drawn, first, first − drawn
+  double farthest_ = 0;                   // largest |way_|, relative to nominal magnitudes
 };
 
 /// Puts a solver that is at the model's estimate where Newton's method is to begin at a time [s].
-/// The place is the estimate itself, if it leads in one go where short steps do (DrawnStart); else
-/// the end of these. Where they are blocked, the estimate stands.
+/// That is the estimate itself where Newton's method leads from it to the end of DrawnStart's short
+/// steps, or where these are blocked. Otherwise it is the end of the short steps.
 template <class Solver>
 void begin_on_drawn_branch(Solver& solver, const Model& m, double time) {
   std::vector<double> drivers;
   for (const Driver& d : m.drivers) drivers.push_back(sample(d.motion, time).position);
   const std::optional<std::vector<double>> right = DrawnStart<Solver>(m, drivers).find();
   if (!right) return;
-  constexpr double same = 1e-6;  // in nominal magnitudes
+  constexpr double same = 1e-6;  // difference (≤), relative to nominal magnitudes
   const std::vector<double> magnitude = nominal_magnitudes(m);
   try {
     Solver in_one_go(m);

@@ -9,17 +9,17 @@
 
 namespace desmo {
 
-/// Solves a model group by group with dense matrices and pivoting, in the scalar S, by the paper's
-/// equations. Newton's method (eq. 2) finds positions. Velocities (eq. 3) and accelerations (eq. 4)
-/// use the partial derivatives and quadratic terms of the constraint kinds. S is double or, with
-/// the library desmo_reference, Quadruple.
+/// A solver of a model, group by group with dense matrices and pivoting, in the scalar S, by the
+/// paper's equations. Newton's method (eq. 2) finds positions. Velocities (eq. 3) and accelerations
+/// (eq. 4) use the partial derivatives and quadratic terms of the constraint kinds. S is double or,
+/// with the library desmo_reference, Quadruple.
 template <class S>
 class GroupwiseSolver : public ReferenceSolver<S> {
  public:
   /// Starts at the model's initial estimate. The model must outlive the solver.
   explicit GroupwiseSolver(const Model& model);
 
-  /// Solves Φ = share × Φ₀ from now on. Φ₀: Φ at the first call.
+  /// Makes later calls solve Φ = share · Φ₀, where Φ₀ is Φ at the positions of the first call.
   void set_homotopy(double share);
   /// Makes one correction by Newton's method, group after group. Returns its largest component
   /// relative to the nominal magnitude.
@@ -41,7 +41,7 @@ class GroupwiseSolver : public ReferenceSolver<S> {
 
   std::vector<PartDefinition> parts_;
   std::vector<std::vector<S>> initial_;  // Φ₀ of each part; empty: none
-  double share_ = 0;                     // of Φ₀
+  double share_ = 0;                     // factor of Φ₀
 };
 
 }  // namespace desmo

@@ -12,9 +12,9 @@
 
 namespace desmo {
 
-/// The instant of a whole model that a solver of references is at, in the scalar S, and what is set
-/// and read of it. How its equations are evaluated and solved is the solver's own: two that judge
-/// each other share no more than this.
+/// The base of solvers of reference solutions: the instant of a whole model, in the scalar S, with
+/// functions to set and read it. Derived classes evaluate and solve the equations, so that two
+/// solvers that check each other share no more than this.
 template <class S>
 class ReferenceSolver {
  public:
@@ -29,7 +29,7 @@ class ReferenceSolver {
   void drive(std::span<const S> drivers) {
     for (std::size_t k = 0; k < drivers.size(); ++k) state_.q[driven(k)] = drivers[k];
   }
-  /// Likewise with their rates.
+  /// Sets the positions, velocities and accelerations of the drivers, in the model's order.
   void drive(std::span<const MotionSample<S>> drivers) {
     for (std::size_t k = 0; k < drivers.size(); ++k) {
       state_.q[driven(k)] = drivers[k].position;
@@ -37,7 +37,7 @@ class ReferenceSolver {
       state_.qdd[driven(k)] = drivers[k].acceleration;
     }
   }
-  /// Returns to a state() of before.
+  /// Sets the state to one that state() returned.
   void restore(const ScalarState<S>& state) { state_ = state; }
 
   /// Return the instant solved last, in coordinate order.

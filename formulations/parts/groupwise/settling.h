@@ -6,14 +6,14 @@
 namespace desmo {
 
 /// Stopping rule of a Newton iteration: tells when only the rounding of S is left. It looks at the
-/// sizes of the corrections, relative to nominal magnitudes. They are negligible, or small and no
-/// longer shrink because conditioning allows no better. Unlike a bound on ‖Φ‖ it does not depend on
-/// units.
+/// sizes of the corrections, relative to nominal magnitudes. They are below 1000 ε, or below √ε and
+/// above half the one before: conditioning allows no better. Unlike a bound on ‖Φ‖ it does not
+/// depend on units.
 template <class S>
 class Settling {
  public:
-  /// Number of corrections: iteration < max_corrections. From a drawing the first ones may grow;
-  /// where there is no solution they never settle.
+  /// Maximum number of corrections: iteration < max_corrections. From a drawing the first ones may
+  /// grow; where there is no solution they never settle.
   static constexpr int max_corrections = 50;
 
   /// Takes the relative size of a correction just made. Returns whether it was the last useful one.
