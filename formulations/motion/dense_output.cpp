@@ -61,7 +61,8 @@ DenseOutput::Weights DenseOutput::of_acceleration(double s, double h) {
           .a1 = s * (3 - s * (12 - 10 * s))};
 }
 
-/// Every coordinate has the same weights: they are worked out once an instant.
+/// Hands on the instants between the last solved one and `next`. Weights are the same for every
+/// coordinate: they are computed once for each instant.
 Flow DenseOutput::interpolate_to(const Instant& next) {
   const int steps = next.index - last_index_;
   const double h = steps * grid_.interval();
@@ -115,7 +116,7 @@ Summary TimeStepping::run_with_stride(const TimeGrid& grid, const Request& reque
   DenseOutput all(grid, settings().stride, request, model().coordinates(), observer);
   Summary total = solve_all(solved, {Level::acceleration, request.coordinates}, all);
   if (total.ok() && !total.stopped &&
-      all.delivered() < grid.instants) {  // the rest, shorter than the stride
+      all.delivered() < grid.instants) {  // the last interval may be shorter than the stride
     const double t = grid.time(grid.instants - 1);
     const Summary last = do_step(t, Level::acceleration);
     total.add(last);

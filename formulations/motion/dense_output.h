@@ -20,20 +20,20 @@ namespace desmo {
 /// divided by h².
 class DenseOutput final : public Observer {
  public:
-  /// grid: of all instants. coordinates: their number in an instant; those that the request names
-  /// are interpolated. The observer outlives this.
+  /// grid: all instants, solved or not. coordinates: their number in an instant; those that the
+  /// request names are interpolated. The observer outlives this.
   DenseOutput(const TimeGrid& grid, int stride, const Request& request, int coordinates,
               Observer& observer);
 
-  /// The index counts solved instants. Where an interpolated instant stops the run, the solved one
-  /// before it stays the last. Allocates nothing.
+  /// Takes a solved instant, whose index counts solved instants alone. Where the observer stops at
+  /// an interpolated instant, the solved instant is not handed on. Allocates nothing.
   Flow observe(const Instant& solved) noexcept override;
 
   /// Returns how many instants the observer was given.
   int delivered() const { return delivered_; }
 
  private:
-  /// Weights of what is known at both ends of an interval.
+  /// Weights of the values at both ends of an interval.
   struct Weights {
     double q0, change, v0, v1, a0, a1;  // of q₀, q₁ − q₀, q̇₀, q̇₁, q̈₀, q̈₁
   };
@@ -53,8 +53,8 @@ class DenseOutput final : public Observer {
   const std::vector<IndexRange> ranges_;
   const OutputWriter output_;
   Observer& observer_;
-  State last_;           // the instant solved last
-  int last_index_ = -1;  // its index in the grid
+  State last_;           // the last solved instant
+  int last_index_ = -1;  // index of the last solved instant in the grid
   State between_;
   int delivered_ = 0;
 };

@@ -25,7 +25,7 @@ class DenseGroup {
   Eigen::VectorXd residual(const std::vector<double>& state) const;  ///< Φ
   Eigen::MatrixXd jacobian(const std::vector<double>& state) const;  ///< Φ_φ
 
-  /// Solves the positions of its unknowns in `state`; the row that stopped it, or -1.
+  /// Solves the positions of its unknowns in `state`. Returns the row that stopped it; -1: solved.
   int solve(std::vector<double>& state, const Settings& settings) const;
 
  private:
@@ -33,7 +33,7 @@ class DenseGroup {
   Eigen::VectorXd weights_;
 };
 
-/// Returns the row of the largest component, or of the first one that is not a number.
+/// Returns the row of the component of largest magnitude, or of the first one that is NaN.
 int worst_row(const Eigen::VectorXd& v);
 
 /// Group and constraint at which a step failed, if known.

@@ -30,8 +30,10 @@ std::vector<double> driver_changes(const Model& m, const State& from, double t) 
 }
 
 int continuation_steps(const Model& m, std::span<const double> changes) {
+  // number of steps where turns do not ask for more
   constexpr int usual = 8;
-  constexpr double max_turn = 0.1;  // [rad], of a driver, so that Newton stays on its branch
+  // maximum turn of a driver in a step [rad], so that Newton's method stays on its branch
+  constexpr double max_turn = 0.1;
   if (!whole_turns_count(m)) return usual;
   double largest = 0;
   for (std::size_t d = 0; d < changes.size(); ++d)
@@ -50,7 +52,7 @@ bool move_drivers(const Model& m, std::span<const double> changes, State& state,
   const double max_step = 1.0 / continuation_steps(m, changes), min_step = max_step / 16;
   const State start = state;
   State reached = state;
-  double done = 0, step = 0;  // first where it is
+  double done = 0, step = 0;  // shares of the changes; the first solve is at the start
   while (true) {
     for (std::size_t d = 0; d < changes.size(); ++d) {
       const int driven = m.entities[m.drivers[d].coordinate].first;
@@ -69,8 +71,8 @@ bool move_drivers(const Model& m, std::span<const double> changes, State& state,
   }
 }
 
-/// Turns of a driver that lead back need not be made: takes whole ones off its change, and moves
-/// the state by them.
+/// Takes whole turns that lead back (is_back()) off the drivers' changes, and adds them to the
+/// angles of the state instead.
 void leave_out_turns(const Model& m, std::vector<double>& changes, State& state,
                      const Solve& solve) {
   constexpr double turn = 2 * std::numbers::pi;

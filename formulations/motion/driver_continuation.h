@@ -13,31 +13,33 @@ namespace desmo {
 bool whole_turns_count(const Model& model);
 
 /// Returns how far each driver has to move from a state to where it is at time t [s]. Whole turns
-/// are left out, unless couplings count them.
+/// of angles are left out, unless couplings count them.
 std::vector<double> driver_changes(const Model& model, const State& from, double t);
 
-/// Returns the steps of a continuation that goes well. changes: of the drivers. Where couplings
-/// count whole turns, drivers turn by at most 0.1 rad in a step.
+/// Returns the number of steps of a continuation in which none fails. changes: of the drivers, by
+/// driver_changes(). Where couplings count whole turns, drivers turn by at most 0.1 rad in a step.
 int continuation_steps(const Model& model, std::span<const double> changes);
 
-/// Largest number of steps of a continuation: some 16,000 turns, or a second of a small mechanism.
+/// Maximum number of steps of a continuation (≤): some 16,000 turns, or a second of computing time
+/// for a small mechanism.
 inline constexpr int max_continuation_steps = 1000000;
 
 /// End of a continuation.
 enum class ContinuationEnd {
   reached,
   blocked,
-  too_long,  ///< it would take more than max_continuation_steps
+  too_long,  ///< it would take more than max_continuation_steps steps
 };
 
-/// Moves the drivers of a solved state in proportion by driver_changes() to time t [s]. So an
-/// instant within a motion is reached without those before it.
+/// Moves the drivers of a solved state linearly, by driver_changes(), to where they are at time t
+/// [s]. So an instant within a motion is reached without those before it.
 /// - state: solved; overwritten, on failure with a position on the way
 /// - solve: solves the positions of a state for its drivers, given the last positions; returns
 ///   whether it could. The first call is at the state itself, to find its branches
-/// A failed step is halved. Of more than max_continuation_steps, turns that lead back (is_back())
-/// are left out first. Where the short way is blocked, whole turns are made, unless they take more
-/// than that. Not for timed loops.
+/// A failed step is halved, down to a sixteenth. Where more than max_continuation_steps would be
+/// needed, turns that lead back (is_back()) are left out first. Where the way without whole turns
+/// is blocked, the way with them is tried, unless it takes more steps than that. Not for timed
+/// loops.
 ContinuationEnd continue_drivers_to(
     const Model& model, double t, State& state,
     const std::function<bool(State&, std::span<const double> last)>& solve);

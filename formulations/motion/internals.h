@@ -12,8 +12,8 @@ namespace desmo {
 struct Profile;  // parts/profile.h
 struct Variant;  // variants.h
 
-/// Return what a formulation shows to the rest of the library; its users need none of it. Only
-/// TimeStepping derives from Formulation, so every formulation has it.
+/// Return the interface of a formulation for the rest of the library; its users need none of it.
+/// Only TimeStepping derives from Formulation, so every formulation has it.
 inline TimeStepping& stepping_of(Formulation& formulation) {
   return static_cast<TimeStepping&>(formulation);
 }

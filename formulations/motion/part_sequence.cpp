@@ -45,7 +45,7 @@ void PartSequence::make_chains() {
   chains_.clear();
   std::vector<Part*> solvers;
   for (const PartInStep& part : moving_) solvers.push_back(part.solver);
-  std::size_t same_level = 0;  // the end of the parts that are solved to one level
+  std::size_t same_level = 0;  // end of the parts that are solved to the level of the first
   for (std::size_t first = 0; first < moving_.size();) {
     while (same_level < moving_.size() &&
            (same_level <= first || moving_[same_level].level == moving_[first].level))
@@ -64,7 +64,7 @@ void PartSequence::make_chains() {
 
 // ---- The loop over structural groups of the paper's Fig. 2a ----
 
-/// Solves one part after the other; Fig. 2b is what a part does (NewtonSolver).
+/// Solves one part after the other, each as in Fig. 2b (NewtonSolver).
 PartSequence::Result PartSequence::solve_in_order(std::span<const PartInStep> parts, State& state,
                                                   std::span<const double> last, Level level) {
   Result result;

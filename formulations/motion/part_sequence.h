@@ -23,19 +23,20 @@ class PartSequence {
   /// The outcome of all parts in one step.
   struct Result {
     Status status = Status::solved;
-    long iterations = 0;   ///< the most of any part
+    long iterations = 0;   ///< largest number of iterations of a part
     long updates = 0;      ///< see Summary
-    double residual2 = 0;  ///< ‖Φ‖₂² of all
-    int failed = -1;       ///< position of the part that could not be solved
+    double residual2 = 0;  ///< ‖Φ‖₂² of all parts up to the last one tried
+    int failed = -1;       ///< position of the part that could not be solved; -1: none
 
-    /// Adds what a part, or several of a chain, took.
+    /// Adds the result of a part, or of several parts of a chain.
     void add(double part_residual2, long part_iterations, long part_updates) {
       residual2 += part_residual2;
       iterations = std::max(iterations, part_iterations);
       updates += part_updates;
     }
 
-    /// Returns the summary of an instant at time t [s], without what a failure was due to.
+    /// Returns the summary of an instant at time t [s], without the group and constraint of a
+    /// failure.
     Summary summary(double t) const {
       Summary summary;
       summary.status = status;
@@ -89,15 +90,15 @@ class PartSequence {
   /// A part as a step uses it; the elements stand next to each other in memory.
   struct PartInStep {
     Part* solver;
-    Level level;                 // the highest level at which anyone asks for its unknowns
-    int position, unknowns;      // position among all parts
+    Level level;                 // highest level to which it is solved
+    int position, unknowns;      // position among all parts, number of unknowns
     PartChain* chain = nullptr;  // the chain of which it is a member; null: none
     int member = 0;              // its position in the chain
   };
   struct Resident {
     ResidentPart* part;
     Level level;
-    std::size_t first_driver;  // in the row
+    std::size_t first_driver;  // position of its first driver in the row
   };
 
   static Result solve_in_order(std::span<const PartInStep> parts, State& state,
@@ -109,9 +110,9 @@ class PartSequence {
 
   std::vector<DefinedPart> parts_;
   std::vector<PartInStep> constant_, moving_;
-  std::vector<std::unique_ptr<PartChain>> chains_;  // of moving parts
-  std::vector<PartInputs> inputs_;                  // by part
-  std::vector<Resident> residents_;                 // moving ones
+  std::vector<std::unique_ptr<PartChain>> chains_;  // chains of moving parts
+  std::vector<PartInputs> inputs_;                  // inputs of each part
+  std::vector<Resident> residents_;                 // moving parts that are resident
   std::vector<int> drivers_;
 };
 

@@ -13,14 +13,15 @@ namespace desmo {
 
 namespace {
 
-/// Difference of segments that meet, relative to the size of what differs.
+/// Maximum difference of segments that meet (≤): of points and distances, relative to the largest
+/// of their components; of other coordinates, absolute [1] or [rad].
 constexpr double max_difference = 1e-6;
 
 /// An observer that keeps the instants of a motion, for one that needs them in order or lends no
 /// memory.
 class MotionBuffer final : public Observer {
  public:
-  /// coordinates: of each instant, all of which are requested up to `level`.
+  /// coordinates: their number in an instant; all are requested, up to `level`.
   MotionBuffer(int instants, int coordinates, Level level)
       : instants_(instants),
         coordinates_(static_cast<std::size_t>(coordinates)),
@@ -57,7 +58,7 @@ class MotionBuffer final : public Observer {
  private:
   std::vector<Instant> instants_;
   std::size_t coordinates_;
-  std::vector<double> q_, qd_, qdd_;  // of all instants; empty above the level
+  std::vector<double> q_, qd_, qdd_;  // values of all instants; empty above the level
 };
 
 }  // namespace
@@ -75,8 +76,8 @@ bool segments_meet(const Model& m, std::span<const double> ended, std::span<cons
   });
 }
 
-/// Starts from the instant that was solved last: the first of the grid, or another from which it
-/// can be reached by continuation.
+/// Solves a motion in segments. Starts from the instant that was solved last: the first of the
+/// grid, or another from which it can be reached by continuation.
 std::optional<Summary> TimeStepping::solve_segments(const TimeGrid& grid, const Request& request,
                                                     Observer& observer) {
   const OutputWriter output(request, model().coordinates());

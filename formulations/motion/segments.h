@@ -11,9 +11,9 @@
 
 namespace desmo {
 
-/// Solves the segments of a motion known in advance at once. Each is entered by continuation from
-/// the first position of the motion, and solved on its own; that all lie on one branch shows where
-/// a segment ends and the next has begun (segments_meet).
+/// A solver of the segments of a motion that is known in advance. Each is entered by continuation
+/// from the first position of the motion, and solved on its own. Whether all lie on one branch is
+/// checked where a segment ends and the next has begun (segments_meet).
 class SegmentExecutor {
  public:
   virtual ~SegmentExecutor() = default;
@@ -27,9 +27,9 @@ class SegmentExecutor {
   virtual void solve_only(std::span<const Level>) {}
 };
 
-/// Returns whether a segment ended where the next had begun, at positions of one instant in
-/// coordinate order: converged, they differ by far less than is allowed; on different branches, by
-/// far more.
+/// Returns whether a segment ended where the next had begun. ended, begun: positions of one instant
+/// in coordinate order. On one branch, converged positions differ by far less than is allowed; on
+/// different branches they usually differ by far more.
 bool segments_meet(const Model& model, std::span<const double> ended,
                    std::span<const double> begun);
 

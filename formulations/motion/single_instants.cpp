@@ -19,7 +19,7 @@ Summary TimeStepping::step_to_row(const LiveRow& row, Level level, int max_sub_s
   const Summary summary = assemble_or_step(row.time, level, max_sub_steps);
   drivers_.hand_back();
   if (!summary.ok()) {
-    forget_steps();  // parts remember instants that are not to be gone on from
+    forget_steps();  // parts remember instants from which no step may start
     now_.time = start;
   }
   return summary;
@@ -37,7 +37,7 @@ Summary TimeStepping::do_assemble(double t, Level level) {
   return assemble_from_estimate(t, level);
 }
 
-/// Makes positions q those of both instants, at rest; forgets what was solved.
+/// Sets both instants to positions q, at rest; forgets what was solved.
 void TimeStepping::begin_at(std::span<const double> q) {
   for (State* s : {&now_.state, &before_.state}) {
     std::ranges::copy(q.first(std::min(q.size(), s->q.size())), s->q.begin());
@@ -60,7 +60,7 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
     find_culprit_of_failure(summary);
     return summary;
   }
-  last = state;  // what is solved once is in both
+  last = state;  // both instants have the constant parts, which are solved once
   if (whole_turns_count(model())) {
     const ContinuationEnd end = continue_to(t);
     if (end == ContinuationEnd::reached) {

@@ -11,7 +11,7 @@ namespace desmo {
 
 namespace {
 
-/// Returns the tolerance of the whole from those of parts: a residual is a Euclidean norm.
+/// Returns the tolerance of the whole from those of the parts: the norm, since ‖Φ‖₂ is one.
 double norm_of_tolerances(const std::vector<DefinedPart>& parts) {
   double norm = 0;
   for (const DefinedPart& part : parts) norm = std::hypot(norm, part.tolerance);
@@ -49,7 +49,7 @@ void TimeStepping::forget() {
   for (SolvedState* s : {&now_, &before_}) s->forget();
 }
 
-/// Forgets the steps so far, from which none is to be gone on. What follows are steps again.
+/// Forgets the steps so far, without beginning an assembly: what follows are steps again.
 void TimeStepping::forget_steps() {
   forget();
   sequence_.end_assembly();
@@ -93,7 +93,7 @@ Summary TimeStepping::take_steps(const TimeGrid& grid, const Request& request, O
     total.stopped = deliver(i, t, step, request.level, observer) == Flow::stop;
     if (total.stopped) break;
   }
-  if (grid.instants > 0) sequence_.store(now_.state);  // all, whatever was wanted
+  if (grid.instants > 0) sequence_.store(now_.state);  // all coordinates, whatever was requested
   return total;
 }
 
@@ -122,8 +122,8 @@ Summary TimeStepping::solve_at(double t, Level level) {
   return summary;
 }
 
-/// Solves an instant, in sub-steps where it cannot be solved at once. Returns the summary of the
-/// whole step if sub-steps fail, too.
+/// Solves an instant, in sub-steps where it cannot be solved at once. If these fail, too, returns
+/// the summary of the first attempt, with the work of all.
 Summary TimeStepping::assemble_or_step(double t, Level level, int max_sub_steps) {
   if (!assembled_) return assemble_from_estimate(t, level);
   const double start = now_.time;
@@ -132,7 +132,7 @@ Summary TimeStepping::assemble_or_step(double t, Level level, int max_sub_steps)
   if (!summary.ok() && start != t) [[unlikely]]
     summary = sub_step(start, t, level, max_sub_steps, summary);
   if (!summary.ok()) [[unlikely]] {
-    now_.time = start;  // as positions are
+    now_.time = start;  // that of the positions
     find_culprit_of_failure(summary);
   }
   return summary;
@@ -199,7 +199,7 @@ void TimeStepping::set_read_outside(const Request& request, bool lent) {
     if (lent) places[requested[n]] = static_cast<int>(n);
   }
   sequence_.bind(observed, places);
-  output_ = OutputWriter(places, requested.size());  // of what is left
+  output_ = OutputWriter(places, requested.size());  // writes what no part delivers
   for (std::size_t i = 0; i < places.size(); ++i) observed[i] = observed[i] || places[i] >= 0;
   drivers_.set_observed(observed);
 }

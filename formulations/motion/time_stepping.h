@@ -39,15 +39,16 @@ class TimeStepping final : public Formulation {
   /// Returns false where the position cannot be reached; the next step then assembles.
   bool start_at(std::span<const double> q, double t);
 
-  /// Runs like run() without a stride, from the position that start_at() reached; nothing where an
-  /// instant could not be solved or segments do not meet; all that the observer was given is then
-  /// void.
+  /// Runs like run() without a stride, from the position that start_at() reached; returns nothing
+  /// where an instant could not be solved or segments do not meet. All that the observer was given
+  /// is then void.
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request, Observer& observer);
 
   /// Solves an instant like step(), with driver values from a row instead of the motions. Takes at
   /// most max_sub_steps sub-steps, in which drivers move linearly from their last positions to the
-  /// row. Takes nothing from the heap unless it assembles; so a failure names the group at most,
-  /// and no constraint. The row is not checked. LiveRun checks it and proves the result.
+  /// row. Takes nothing from the heap unless it assembles or follows a run(). So a failure names
+  /// the group at most, and no constraint. The row is not checked. LiveRun checks it and proves the
+  /// result.
   Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps);
 
   /// Returns to positions q that were solved before, at time t [s]; the next row starts there.
@@ -68,7 +69,7 @@ class TimeStepping final : public Formulation {
   /// An instant, and how far it was solved.
   struct SolvedState {
     State state{};
-    double time = 0;               // s
+    double time = 0;               // [s]
     std::optional<Level> level{};  // nothing: rates are unknown, and nothing is predicted from it
     void forget() { time = 0, level.reset(); }
   };
@@ -76,7 +77,7 @@ class TimeStepping final : public Formulation {
   /// The first part of a step that could not be solved.
   struct Failure {
     int part = -1;
-    std::vector<double> q{};  // positions in the state from which it is solved again
+    std::vector<double> q{};  // state from which the diagnosis solves it again
   };
 
   /// The coordinates of each instant that are read outside the parts.

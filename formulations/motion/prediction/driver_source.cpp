@@ -21,7 +21,7 @@ DriverSource::DriverSource(const Model& m, std::span<const int> in_row)
     : in_row_(m.state_size()), motions_({}) {
   const PlacedMotions all = driver_motions(m);
   std::vector<const Motion*> sampled;
-  std::vector<int> driver(m.state_size());  // of each coordinate
+  std::vector<int> driver(m.state_size());  // position in Model::drivers of each driven coordinate
   for (std::size_t i = 0; i < all.places.size(); ++i) driver[all.places[i]] = static_cast<int>(i);
   std::vector<int> place(m.state_size(), -1);
   const auto add = [&](int coordinate) {

@@ -30,8 +30,8 @@ class DriverSource {
   void expect(const TimeGrid& grid) { motions_.expect(grid); }
 
   /// Takes values in place of the motions until hand_back(). At other times than the row's own,
-  /// drivers go straight to it at constant rates. start, from: time [s] and positions of the last
-  /// instant, from where they go.
+  /// drivers move linearly to the row's positions. start, from: time [s] and positions of the last
+  /// instant, where that motion begins.
   void hand_in(const LiveRow& row, double start, const State& from);
   void hand_back() { is_live_ = false; }
   bool is_live() const { return is_live_; }
@@ -47,16 +47,17 @@ class DriverSource {
   void write_all(State& state) const;
 
   /// Sets which drivers sample() writes into the state: those that some part reads there, and those
-  /// that nobody takes from the row. read: by position in the state.
+  /// that nobody takes from the row. read: for each position in the state, whether a part or an
+  /// observer reads it there.
   void set_observed(const std::vector<bool>& read);
 
  private:
   struct Driven {
-    int coordinate, place;  // its place in the row
+    int coordinate, place;  // position in the state, place in the row
   };
-  /// A place in the row that is handed in.
+  /// The source of a place in a row that is handed in.
   struct HandedIn {
-    int driver, coordinate;  // position in Model::drivers, in the state
+    int driver, coordinate;  // positions in Model::drivers and in the state
   };
   MotionRow live_row(double t);
   void write(std::span<const Driven> drivers, State& state) const {
@@ -67,15 +68,16 @@ class DriverSource {
     }
   }
 
-  std::vector<bool> in_row_;  // by position in the state: some reader takes it from the row
+  // for each position in the state, whether a part takes it from the row
+  std::vector<bool> in_row_;
   std::vector<Driven> drivers_;
-  std::vector<Driven> written_;  // by sample()
+  std::vector<Driven> written_;  // drivers that sample() writes to the state
   MotionsAhead motions_;
   MotionRow row_{};
-  std::vector<HandedIn> handed_in_;   // by place in the row
-  LaneState live_, between_;          // at their own time; at another one, by live_row()
-  LaneValues from_;                   // positions at start_, from where drivers go straight
-  double live_time_ = 0, start_ = 0;  // s
+  std::vector<HandedIn> handed_in_;   // source of each place in the row
+  LaneState live_, between_;          // row handed in, at its own time; row at another time
+  LaneValues from_;                   // positions at start_, by place in the row
+  double live_time_ = 0, start_ = 0;  // times of live_ and from_ [s]
   bool is_live_ = false;
 };
 

@@ -15,7 +15,7 @@ struct GuessKind {
 };
 
 constexpr std::array kinds{
-    // in the order of Guess
+    // one for each enumerator of Guess, in order
     GuessKind{"previous", Level::position},
     GuessKind{"linear", Level::velocity},
     GuessKind{"quadratic", Level::acceleration},

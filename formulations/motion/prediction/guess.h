@@ -11,22 +11,22 @@
 
 namespace desmo {
 
-/// Returns a guess as ids write it: "previous", "linear", "quadratic", "hermite3", "hermite5",
+/// Returns the name of a guess in ids: "previous", "linear", "quadratic", "hermite3", "hermite5",
 /// "adams8".
 std::string_view guess_name(Guess guess);
 /// Returns the names of all guesses, in the order of Guess.
 std::vector<std::string_view> guess_names();
 
-/// Ratio of a step to the one before it, above which earlier instants no longer predict it:
-/// at 4 the quintic magnifies the errors of their positions 10,000 times, and at 10 a million
-/// times.
+/// Limit of the ratio of a step to the one before it (<), at and above which earlier instants do
+/// not predict it. At 4 the quintic magnifies errors of their positions 10,000 times, and at 10 a
+/// million times.
 inline constexpr double max_step_growth = 4;
 
 /// Knowledge of a predictor about the two instants before the one sought.
 struct StepHistory {
   double h;                             ///< time from the last instant to the predicted one [s]
   double h_before;                      ///< time from the instant before to the last one [s]
-  std::optional<Level> last, before{};  ///< how far they were solved; nothing: they are unknown
+  std::optional<Level> last, before{};  ///< levels to which they were solved; nothing: unknown
 
   /// Returns the history of coordinates that are solved up to this level only.
   StepHistory up_to(Level level) const {
@@ -49,9 +49,9 @@ class Extrapolation {
   /// guess: one that the history allows (best_guess).
   Extrapolation(Guess guess, const StepHistory& history);
 
-  /// Writes where the guess expects the coordinates of some ranges into q, which may be that of
-  /// `last` or of `before`: states of numbers, or of several side by side. Of these two only what
-  /// the guess needs is read.
+  /// Writes the predicted coordinates of some ranges into q, which may be the q of `last` or
+  /// `before`. last, before: states in single numbers or in lanes; only what the guess needs of
+  /// them is read.
   template <class States, class T>
   void operator()(std::span<const IndexRange> ranges, const States& last, const States& before,
                   T* q) const;

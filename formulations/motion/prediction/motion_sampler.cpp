@@ -14,7 +14,7 @@ namespace desmo {
 namespace {
 
 namespace simd = std::experimental;
-/// A register of 256 bits.
+/// Four doubles, as in a register of 256 bits.
 using Quad = simd::simd<double, simd::simd_abi::deduce_t<double, 4>>;
 
 [[gnu::always_inline]] inline elementary::SineCosine<Quad> sine_cosine(const Quad& angle) {
@@ -87,7 +87,7 @@ MotionSampler::Sums MotionSampler::sums(std::span<const int> motions) {
       term.of_cosine[l] += amplitude * std::sin(phase);
       term.w_of_sine[l] = w * term.of_sine[l];
       term.w_of_cosine[l] = w * term.of_cosine[l];
-      term.w2_of_sine[l] = w * term.w_of_sine[l];  // nothing of nothing, where ω² overflows
+      term.w2_of_sine[l] = w * term.w_of_sine[l];  // 0 stays 0 where ω² overflows
       term.w2_of_cosine[l] = w * term.w_of_cosine[l];
     }
   }
@@ -95,7 +95,8 @@ MotionSampler::Sums MotionSampler::sums(std::span<const int> motions) {
   return result;
 }
 
-/// Motions come sorted: one that was met before was met last, but for those of several terms.
+/// Returns the index of an angular frequency [rad/s] in frequencies_; adds it where it is new.
+/// Motions come sorted by frequencies, so the search begins with the last one.
 int MotionSampler::frequency(double w) {
   const auto found = std::find(frequencies_.rbegin(), frequencies_.rend(), w);
   if (found != frequencies_.rend()) return static_cast<int>(frequencies_.rend() - found) - 1;
@@ -166,7 +167,7 @@ void MotionSampler::add_up_by_four_times(double* z, double* zd, double* zdd) con
       }
 }
 
-/// Samples motions that have no sines.
+/// Samples motions that are no harmonic sums.
 void MotionSampler::sample_others(std::span<const double> times, double* z, double* zd,
                                   double* zdd) const {
   for (const int i : others_) {

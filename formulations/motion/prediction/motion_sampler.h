@@ -24,7 +24,7 @@ PlacedMotions in_order(std::vector<const Motion*> motions);
 /// Strides of samples at several times. The sample of time number l, of a motion at `place`, goes
 /// to index place · of_place + l · of_time.
 struct SampleStrides {
-  int of_place = 1, of_time = 1;  ///< one of them is 1
+  int of_place = 1, of_time = 1;  ///< at least one of them is 1
 };
 inline SampleStrides side_by_side(int times) { return {.of_place = times}; }
 inline SampleStrides in_rows(int of_row) { return {.of_time = of_row}; }
@@ -34,26 +34,29 @@ inline SampleStrides in_rows(int of_row) { return {.of_time = of_row}; }
 /// cosine.
 class MotionSampler {
  public:
-  /// times: how many at once, one or a multiple of four. The motions outlive the sampler,
+  /// times: number of times in a call, one or a multiple of four. The motions outlive the sampler,
   /// unchanged.
   explicit MotionSampler(PlacedMotions placed, int times = 1, SampleStrides strides = {});
 
-  /// Writes z, ż and z̈ of each motion at these times (s), what sample() gives but for rounding.
+  /// Writes z, ż and z̈ of each motion at these times [s]: what sample() returns, except for
+  /// rounding.
   void operator()(std::span<const double> times, double* z, double* zd, double* zdd);
 
  private:
   /// The terms of one frequency in four motions, a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt.
-  /// The factors also stand here times ω and times ω². A motion without the frequency has zeros.
+  /// frequency: index of ω. The factors are also stored multiplied by ω and by ω². A motion without
+  /// the frequency has zeros.
   struct Term {
     int frequency;
     std::array<double, 4> of_sine{}, of_cosine{}, w_of_sine{}, w_of_cosine{}, w2_of_sine{},
         w2_of_cosine{};
   };
-  /// Four motions that go with much the same frequencies. Where fewer are left the last fills up.
+  /// Four motions, of the same frequencies where possible. Where fewer are left, the last is
+  /// repeated.
   struct Sums {
     int size;
     std::array<int, 4> place;
-    bool in_order;  // places of four, one after the other
+    bool in_order;  // the four places follow each other
     std::array<double, 4> mean;
     std::vector<Term> terms;
   };
@@ -68,10 +71,11 @@ class MotionSampler {
   PlacedMotions placed_;
   int times_;
   SampleStrides strides_;
-  std::vector<int> others_;  // motions that are no harmonic sum
+  std::vector<int> others_;  // positions of motions that are no harmonic sum
   std::vector<Sums> sums_;
-  std::vector<double> frequencies_;      // distinct [rad/s]; for one time, zeros fill up fours
-  std::vector<double> sines_, cosines_;  // by frequency and time
+  // distinct [rad/s]; for one time, padded with zeros to a multiple of four
+  std::vector<double> frequencies_;
+  std::vector<double> sines_, cosines_;  // sine and cosine of ωt: by frequency, then time
 };
 
 }  // namespace desmo

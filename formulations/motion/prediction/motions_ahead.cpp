@@ -23,7 +23,7 @@ void MotionsAhead::expect(const TimeGrid& grid) {
   next_ = together;
 }
 
-/// Behind the last instant of the grid, that one again.
+/// Samples the next eight instants of the grid. After its end, the last one is repeated.
 void MotionsAhead::sample_next() {
   for (int k = 0; k < together; ++k)
     times_[k] = grid_.time(std::min(sampled_ + k, grid_.instants - 1));

@@ -18,7 +18,7 @@ struct MotionRow {
   MotionRow from(std::size_t first) const { return {z + first, zd + first, zdd + first}; }
 };
 
-/// Returns the length of a row for this number of values: whole cache lines.
+/// Returns the length of a row for this number of values: whole cache lines, at least one.
 int whole_lines(std::size_t numbers);
 
 /// Sampler of several motions, at one time after the other. Where the times are known in advance,
@@ -43,13 +43,13 @@ class MotionsAhead {
     return {&samples_.q[k * of_row_], &samples_.qd[k * of_row_], &samples_.qdd[k * of_row_]};
   }
 
-  int of_row_;  // whole cache lines
+  int of_row_;  // length of a row: whole cache lines
   MotionSampler alone_, ahead_;
   TimeGrid grid_{};
-  int sampled_ = 0;                       // instants of the grid
-  std::size_t next_ = together;           // of those sampled last
-  std::array<double, together> times_{};  // theirs, s
-  LaneState samples_;                     // rows of these, and of a time that was sampled alone
+  int sampled_ = 0;                       // number of instants of the grid that were sampled
+  std::size_t next_ = together;           // the next of the eight sampled last; together: none
+  std::array<double, together> times_{};  // times of these eight [s]
+  LaneState samples_;  // rows of these eight, then of a time that was sampled alone
 };
 
 }  // namespace desmo

@@ -41,7 +41,7 @@ class Predictor {
  private:
   Guess wanted_ = Guess::previous;
   std::vector<IndexRange> ranges_;
-  std::optional<RateHistory> history_;  // where the guess needs more than two instants
+  std::optional<RateHistory> history_;  // for adams8, which needs more than two instants
 };
 
 }  // namespace desmo

@@ -11,11 +11,12 @@ namespace desmo {
 
 namespace {
 
-/// Relative difference of two intervals up to which they count as equal: the times of a grid are
-/// rounded.
+/// Limit of the relative difference of two intervals that count as equal (<): the times of a grid
+/// are rounded.
 constexpr double interval_tolerance = 1e-11;
 
-/// Lanes come in blocks; whatever else is predicted, many ranges are of one.
+/// Sizes of the blocks of coordinates that are predicted together. Numbers in lanes come in blocks
+/// of 8 or 4; other ranges are often single coordinates.
 constexpr std::array block_sizes{8, 4, 1};
 
 /// Gauss's points and weights on [0, 1], exact up to degree 7: that of a polynomial through values
@@ -26,7 +27,7 @@ constexpr std::array<double, points> point{0.069431844202973712388, 0.3300094782
 constexpr std::array<double, points> weight{0.17392742256872692869, 0.32607257743127307131,
                                             0.32607257743127307131, 0.17392742256872692869};
 
-/// Returns whether the intervals are `ratios` times h.
+/// Returns whether the intervals are `ratios` times h, except for rounding.
 template <std::size_t size>
 bool are_ratios(const std::array<double, size>& intervals, const std::array<double, size>& ratios,
                 double h) {
@@ -51,7 +52,8 @@ RateHistory::RateHistory(std::span<const IndexRange> ranges) {
   rates_.resize(2 * changes_.size() * instants);
 }
 
-/// Σ_j (h β_j q̇_j + h² γ_j q̈_j), the instants in the order in which they stand.
+/// The change of each coordinate in a step, Σ_j (h β_j q̇_j + h² γ_j q̈_j), with the instants j in
+/// the order of rates_.
 struct RateHistory::Change {
   Change(const RateHistory& of, double h) : rates(of.rates_.data()), size(of.changes_.size()) {
     for (std::size_t k = 0; k < instants; ++k) {
@@ -60,7 +62,8 @@ struct RateHistory::Change {
     }
   }
 
-  /// Returns the change of number n. Two sums: neither waits for the other.
+  /// Returns the change of coordinate n. It is computed as two sums, so that neither waits for the
+  /// other.
   double operator()(std::size_t n) const {
     double of_qd = 0, of_qdd = 0;
     for (std::size_t k = 0; k < instants; ++k) {
@@ -96,7 +99,7 @@ void RateHistory::write_predicted(const Change& change, const double* last, doub
   }
 }
 
-/// Changes are worked out several at a time.
+/// All changes are computed first, in a loop that fits wide registers.
 template <>
 void RateHistory::write_predicted<1>(const Change& change, const double* last, double* q) {
 #pragma GCC ivdep  // they are another array than the rates
@@ -125,9 +128,10 @@ bool RateHistory::predict(double interval, double h, const double* last, const d
   return predicts;
 }
 
-/// The integrals over the step of Hermite's basis at the instants, with ℓ_j of Lagrange:
+/// Computes the weights for a step of h [s]: the integrals over the step of Hermite's basis at the
+/// instants x_j, in units of h. With Lagrange's ℓ_j:
 ///   β_j = ∫ (1 − 2 ℓ_j′(x_j) (x − x_j)) ℓ_j², γ_j = ∫ (x − x_j) ℓ_j².
-/// False where intervals do not go one way or one is short.
+/// Returns false where intervals have different signs or one is too short (max_step_growth).
 bool RateHistory::weigh(double h) {
   Intervals ratios;
   for (std::size_t j = 0; j < ratios.size(); ++j) ratios[j] = intervals_[j] / h;

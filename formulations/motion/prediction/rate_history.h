@@ -17,7 +17,7 @@ namespace desmo {
 class RateHistory {
  public:
   static constexpr int instants = 4;
-  /// Degree of the polynomial that q is expected to be.
+  /// Degree up to which polynomials q are predicted exactly, except for rounding.
   static constexpr int degree = 2 * instants;
 
   /// ranges: of the coordinates.
@@ -44,15 +44,15 @@ class RateHistory {
   template <std::size_t block>
   void write_predicted(const Change& change, const double* last, double* q);
 
-  int block_;                  // coordinates at a time: 1, or as many as lanes
-  std::vector<int> blocks_;    // the first of each
-  std::vector<double> rates_;  // q̇ and q̈, one instant after the other, around
-  std::size_t newest_ = 0;     // which of them is the last
-  Intervals intervals_{};      // s
+  int block_;                  // number of coordinates in a block: 1, or a number of lanes
+  std::vector<int> blocks_;    // first coordinate of each block
+  std::vector<double> rates_;  // q̇, then q̈, of each instant, in a ring
+  std::size_t newest_ = 0;     // place of the last instant in the ring
+  Intervals intervals_{};      // [s]
   int known_ = 0;
-  Intervals weighed_{};  // intervals that the weights belong to, in units of the step; zero: none
+  Intervals weighed_{};  // intervals of beta_ and gamma_, divided by the step; zeros: none
   Weights beta_{}, gamma_{};
-  std::vector<double> changes_;  // over the step sought, of all
+  std::vector<double> changes_;  // workspace: change of each coordinate in a step
 };
 
 }  // namespace desmo

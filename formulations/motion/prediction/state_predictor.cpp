@@ -18,7 +18,7 @@ StatePredictor::StatePredictor(Guess wanted, std::span<const DefinedPart> parts)
   }
   for (std::size_t level = 0; level < unknowns.size(); ++level) {
     std::ranges::sort(unknowns[level]);
-    // Rates of earlier instants are of use where there are accelerations.
+    // adams8 needs the accelerations of earlier instants.
     const Guess guess = static_cast<Level>(level) == Level::acceleration
                             ? wanted
                             : std::min(wanted, Guess::hermite5);

@@ -16,7 +16,7 @@ namespace desmo {
 class StatePredictor {
  public:
   StatePredictor() = default;
-  /// guess: the one wanted. parts: whose inputs are predicted.
+  /// guess: the one wanted. parts: all parts; inputs of the moving ones are predicted.
   StatePredictor(Guess guess, std::span<const DefinedPart> parts);
 
   /// Writes predicted positions into state.q, from the last instant and the one before it. `state`
@@ -30,7 +30,7 @@ class StatePredictor {
   }
 
  private:
-  std::array<Predictor, 3> of_level_;  // of unknowns by the level to which they are solved
+  std::array<Predictor, 3> of_level_;  // one for the unknowns solved up to each level
   std::vector<int> unwrapped_;         // coordinates that start at their last value
 };
 
