@@ -20,7 +20,7 @@ class AutomaticEquations::Loops {
   virtual void jacobian(const double* state, double* values) const = 0;
   virtual void quadratic(const double* state, const double* rate, double* gamma) const = 0;
 
-  /// Puts positions in the pattern in place of those in the list of all entries.
+  /// Replaces slots, positions in the list of all entries, by positions in the pattern.
   virtual void set_slots(std::span<const int> slots) = 0;
 };
 
@@ -43,12 +43,12 @@ void pick(const std::array<int, N>& rows, const std::array<double, N>& all, doub
     if (rows[r] >= 0) to[rows[r]] = all[r];
 }
 
-/// Constraints of one kind, of which a part has all equations, or some of each.
+/// Constraints of one kind. The part has all equations of each of them, or not all of any.
 template <class Kind>
 struct ObjectsOf : AutomaticEquations::Loops {
   struct Object {
     std::array<int, Kind::operand_sizes.size()> operands;  // positions in the state
-    /// A table has many.
+    /// The number of constants of a table is not known at compile time.
     std::conditional_t<has_table<Kind>, std::vector<double>, std::array<double, Kind::constants>>
         constants;
     std::array<int, Kind::entries> slots;
@@ -63,7 +63,8 @@ struct ObjectsOf : AutomaticEquations::Loops {
   std::vector<Object> objects;
 };
 
-/// whole: the part has all equations of these constraints, whose rows follow each other.
+/// Loops over constraints of one kind. whole: the part has all equations of these constraints, and
+/// the rows of each follow each other.
 template <class Kind, bool whole>
 struct LoopsOf final : ObjectsOf<Kind> {
   using typename ObjectsOf<Kind>::Object;
@@ -77,7 +78,7 @@ struct LoopsOf final : ObjectsOf<Kind> {
 
   void constant_jacobian(double* values) const override {
     if constexpr (Kind::linear)
-      for (const Object& o : objects) write_jacobian(o, {}, values);  // they read no state
+      for (const Object& o : objects) write_jacobian(o, {}, values);  // linear kinds read no state
   }
 
   void residual(const double* state, double* phi) const override {
@@ -127,7 +128,7 @@ AutomaticEquations::AutomaticEquations(const Model& m, const PartDefinition& par
         o.rows[part.equations[row].row] = row;
 
       int i = 0;
-      // The pattern is that of all values.
+      // The pattern does not depend on the values.
       static constexpr std::array<double, max_components> any{1, 1, 1, 1};
       Operands<Kind> x;
       x.fill(any.data());

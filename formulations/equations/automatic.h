@@ -29,7 +29,8 @@ class AutomaticEquations final : public Equations {
 
  private:
   Pattern pattern_;
-  std::vector<std::unique_ptr<Loops>> loops_;  // of the kinds that occur; a part has few
+  // of each kind that occurs: one for whole constraints, one for those shared with other parts
+  std::vector<std::unique_ptr<Loops>> loops_;
 };
 
 }  // namespace desmo

@@ -39,16 +39,17 @@ bool any(const M& mask) {
 /// Number of values in an anchor: an angle, its sine and its cosine.
 inline constexpr int anchor_size = 3;
 
-/// Binding of a kernel to one part, or to one part in each lane. All pointers outlive it.
+/// Binding of a kernel to one part, or to one part in each lane. The arrays outlive it.
 template <class T>
 struct ExplicitBinding {
-  const int* in;    ///< position of each local input in q, q̇, q̈ (fixed entities at the end)
+  const int* in;    ///< position of each local input in q, q̇ and q̈ (fixed entities at the end)
   const T* c;       ///< dimensions
   const T* f;       ///< values that ExplicitKernel::fold makes of c
   const T* branch;  ///< ±1: sign of each square root
   const T* w;       ///< 1/magnitude of each equation
-  T* anchors;  ///< for each angle a nearby one that follows it, so that sines are cheap; zeros:
-               ///< none yet
+  /// for each angle anchor_size values of a nearby angle, from which sine and cosine are cheap;
+  /// zeros: none yet
+  T* anchors;
   ExplicitLimits limits;
 };
 
@@ -63,7 +64,7 @@ struct ExplicitResult {
 /// Result of solving a chain: several parts of one type one after the other.
 struct ExplicitChainResult {
   int accepted;           ///< number of accepted parts before the first that was not
-  int iterations;         ///< largest number of iterations of a part
+  int iterations;         ///< largest number of iterations of an accepted part
   long total_iterations;  ///< sum over the accepted parts
   double residual2;       ///< sum over the accepted parts
 };
@@ -73,7 +74,8 @@ template <ExplicitResult<double> (*solve)(double*, double*, double*,
                                           const ExplicitBinding<double>&)>
 ExplicitChainResult solve_chain(double* q, double* qd, double* qdd,
                                 const ExplicitBinding<double>* parts, int count) {
-  int accepted = 0, iterations = 0;  // in registers: stores to the state might change a result
+  // locals stay in registers: stores to the state might alias a result
+  int accepted = 0, iterations = 0;
   long total_iterations = 0;
   double residual2 = 0;
   for (; accepted < count; ++accepted) {

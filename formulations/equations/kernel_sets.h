@@ -9,8 +9,8 @@ namespace desmo {
 
 // Kernels that are generated when desmo is built, by the set of mechanisms that they come from and,
 // for batches, the number of lanes. A type of group that occurs in both sets has its kernels in the
-// first. Kernels for 8 lanes exist only in builds with DESMO_WIDE_LANES. References are returned,
-// not libraries: what these functions are compiled for, their caller's processor may lack.
+// first. Kernels for 8 lanes exist only in builds with DESMO_WIDE_LANES. They return references,
+// since they may be compiled for instructions that the caller's processor lacks.
 using FourLanes = std::integral_constant<int, 4>;
 using EightLanes = std::integral_constant<int, 8>;
 

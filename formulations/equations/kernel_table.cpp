@@ -8,7 +8,7 @@
 namespace desmo {
 
 bool has_lanes(int lanes) {
-  if (lanes == 4) return true;  // what everything is compiled for, or what the compiler makes of it
+  if (lanes == 4) return true;  // every build has them, in narrower registers if need be
 #ifdef DESMO_WIDE_LANES
   if (lanes == 8)  // x86-64-v4
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&

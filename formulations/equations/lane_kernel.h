@@ -15,7 +15,7 @@ inline constexpr int max_lanes = lane_counts.back();
 /// Result of an explicit order in several lanes.
 struct LaneResult {
   unsigned accepted;  ///< bit l: ExplicitResult::accepted of lane l
-  int iterations;     ///< largest number of any lane
+  int iterations;     ///< largest ExplicitResult::iterations of a lane
 };
 
 /// An explicit kernel that solves one part in each lane. All arrays but ExplicitBinding::in hold
@@ -24,8 +24,9 @@ struct LaneResult {
 struct LaneKernel {
   int lanes;
   std::string_view fingerprint;  ///< PartType::fingerprint
-  std::span<const int> read;  ///< local inputs that it reads, its unknowns at their last positions
-  std::span<const int> unknowns;  ///< local inputs it writes
+  /// local inputs that it reads; of its unknowns the torn ones and unwrapped angles
+  std::span<const int> read;
+  std::span<const int> unknowns;  ///< local inputs that it writes
   /// Solves the parts. residual2: (lanes), ExplicitResult::residual2 of each.
   LaneResult (*solve)(double* q, double* qd, double* qdd, const ExplicitBinding<double>& parts,
                       double* residual2);

@@ -11,8 +11,8 @@
 #define DESMO_LANES 4
 #endif
 #if DESMO_LANES > 4
-// Code for wide registers begins a page: where it stands, to less than a cache line, it may take a
-// third longer, and that is not left to what is linked before it.
+// Code for wide registers begins at a page. Moved by less than a cache line it may take a third
+// longer, so its position must not depend on what is linked before it.
 asm(".text\n.balign 4096");
 #endif
 

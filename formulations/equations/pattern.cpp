@@ -15,7 +15,8 @@ PatternWithSlots make_pattern(const Model& m, const PartDefinition& part,
   p.n = static_cast<int>(part.unknowns.size());
   p.unknowns = part.unknowns;
 
-  // Order: unknown columns ascending with rows ascending; then known by row; then what is unread.
+  // Order: unknown columns ascending with rows ascending; then known columns by row; then entries
+  // that are not read.
   const auto rank = [&](const JacobianEntry& e) {
     constexpr std::array unread{2, 0, 0};
     if (e.row < 0) return unread;

@@ -10,7 +10,7 @@ namespace desmo {
 
 /// Partial derivative that a set of equations can emit.
 struct JacobianEntry {
-  int row;               ///< equation of the part; -1: of another part
+  int row;               ///< equation of the part; -1: the equation is of another part
   int place;             ///< component of the state (q, then the fixed entities)
   bool resting = false;  ///< the component never moves, unless it is an unknown
 };
@@ -21,9 +21,9 @@ struct JacobianEntry {
 struct Pattern {
   int n = 0;                         ///< number of unknowns and equations
   std::vector<int> unknowns;         ///< coordinate of each column (n)
-  std::vector<int> column_start;     ///< (n + 1)
+  std::vector<int> column_start;     ///< first entry of each column, and the end (n + 1)
   std::vector<int> row;              ///< row of each entry of Φ_φ, ascending within a column
-  std::vector<JacobianEntry> known;  ///< entries of Φ_h, by row
+  std::vector<JacobianEntry> known;  ///< entries of Φ_h, ordered by row
 
   int dependent_entries() const { return static_cast<int>(row.size()); }
   int size() const { return dependent_entries() + static_cast<int>(known.size()) + 1; }

@@ -10,9 +10,9 @@ struct TurnedAngle {
   T angle, sine, cosine;
 };
 
-/// Limit of the tangent of a small turn from an anchor.
+/// Limit of |tangent| of a small turn from an anchor (<).
 inline constexpr double small_turn = 1.0 / 4;
-/// Limit of the distance between the previous angle and its anchor [rad]: within it, and after
+/// Limit of the distance between the previous angle and its anchor [rad] (<). Within it, and after
 /// a small turn, the angle nearest to one is nearest to the other.
 inline constexpr double near_anchor = 1.0 / 2;
 
@@ -20,7 +20,7 @@ inline constexpr double near_anchor = 1.0 / 2;
 /// `before`. Where `before` is near the anchor (see ExplicitBinding) and the turn from the anchor
 /// is small, short polynomials suffice. Elsewhere everything is evaluated, and the result becomes
 /// the new anchor. Polynomials interpolate at zeros of Chebyshev polynomials; errors are below
-/// 1e-17. Returns NaN at the origin and where `before` is beyond ±max_reduced.
+/// 1e-17. Returns NaN at the origin and where `before` is at or beyond ±max_reduced.
 template <class T>
 DESMO_INLINE TurnedAngle<T> turned_angle(const T& y, const T& x, const T& before, T* anchor) {
   using std::abs;
@@ -44,7 +44,7 @@ DESMO_INLINE TurnedAngle<T> turned_angle(const T& y, const T& x, const T& before
                             2.7557306543077704e-06, -2.5027990890027887e-08};
   constexpr std::array cosine{0.041666666666666456, -0.0013888888887756633, 2.4801577881306293e-05,
                               -2.7532236752638345e-07};
-  const T turn = angle - from, tt = turn * turn;  // as rounding left it
+  const T turn = angle - from, tt = turn * turn;  // the turn to the rounded angle
   const T st = turn + (turn * tt) * polynomial(sine, tt);
   const T ct = (1.0 - 0.5 * tt) + (tt * tt) * polynomial(cosine, tt);
   return {angle, s * ct + c * st, c * ct - s * st};
