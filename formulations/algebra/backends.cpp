@@ -5,7 +5,7 @@
 
 namespace desmo {
 
-// The list of this build: one line DESMO_BACKEND(name) each, written by CMake.
+// The list of this build's libraries: a line DESMO_BACKEND(name) for each, written by CMake.
 #define DESMO_BACKEND(name) extern const Backend name##_backend;
 #include "backends.inc"
 #undef DESMO_BACKEND

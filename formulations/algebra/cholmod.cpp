@@ -28,14 +28,15 @@ cholmod_sparse view(NormalEquations& normal) {
   return a;
 }
 
-/// Normal equations, and the operations that CHOLMOD counts for their factorisation.
+/// A form of the normal equations with an order of its columns, and the number of operations that
+/// CHOLMOD counts for the factorisation.
 struct Choice {
   NormalForm form;
   std::vector<int> order;
   double operations;
 };
 
-/// The fill-reducing order that CHOLMOD itself finds best.
+/// Returns the fill-reducing order that CHOLMOD itself finds best.
 Choice fill_reducing_order(const Pattern& pattern, NormalForm form) {
   NormalEquations normal(pattern, form);
   cholmod_common common;

@@ -18,15 +18,15 @@ std::string loader_message() {
   return message ? message : "no reason given";
 }
 
-/// The symbol as a function; where there is none, its name is added to what is lacking.
+/// Sets `function` to a symbol of the library; adds the symbol to `lacking` where there is none.
 template <class Function>
 void resolve(void* library, const char* symbol, Function*& function, std::string& lacking) {
   function = reinterpret_cast<Function*>(::dlsym(library, symbol));
   if (!function) lacking += (lacking.empty() ? "" : ", ") + std::string(symbol);
 }
 
-/// Its file as links lead to it, libcoinhsl.so.2.2.5, which tells the version where the library
-/// does not: MA27 itself does not say which it is.
+/// Returns the name of the library's file with links resolved, such as libcoinhsl.so.2.2.5, and the
+/// version that the library reports, if any. MA27 itself reports none.
 std::string version_of(void* library) {
   std::string version;
   link_map* map = nullptr;

@@ -28,7 +28,7 @@ struct Ma27Routines {
 
 /// Library of HSL routines that the user provides.
 struct CoinHsl {
-  Ma27Routines ma27{};  ///< all routines; none may be called when absent
+  Ma27Routines ma27{};  ///< all routines; null where the library is absent
   std::string version;  ///< the library's file name and its own version
   Absence absence;
 };

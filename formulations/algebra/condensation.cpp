@@ -16,7 +16,8 @@ Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivat
     for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
       rows[pattern.row[k]].push_back({j, k});
 
-  std::vector<bool> is_derived(pattern.n), is_derivation(pattern.n);  // columns, rows of A
+  // for each column, for each row of A
+  std::vector<bool> is_derived(pattern.n), is_derivation(pattern.n);
   for (const Derivation& d : derivations) {
     is_derived[d.column] = true;
     is_derivation[d.row] = true;
@@ -40,8 +41,8 @@ Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivat
     if (!is_derivation[i]) closure_row_.push_back(i);
   reduced_.n = static_cast<int>(column_.size());
 
-  // Closure by closure: its columns of A with what derivations add to them, in the order in which
-  // they turn up; operations between these for now.
+  // Numbers the values of each closure, those of A and those that derivations add, in the order in
+  // which they occur. Copies and operations use these numbers until positions are known.
   std::vector<std::map<int, int>> places(closure_row_.size());
   std::vector<std::vector<DerivedTerm>> factors(derived_.size());
   std::vector<std::vector<Operation>> operations(derived_.size());

@@ -25,8 +25,9 @@ class Condensed final : public LinearSolver {
  public:
   using MakeSolver = std::function<std::unique_ptr<LinearSolver>(const Pattern&)>;
 
-  /// - pattern: of A
-  /// - derivations: of the part (see derivations()), one or more; in their order D_y is triangular
+  /// - pattern: that of A
+  /// - derivations: those of the part (see derivations()), one or more; in their order D_y is
+  ///   triangular
   /// - make_solver: makes the solver of A_r from its pattern; not called where all is derived
   Condensed(const Pattern& pattern, std::span<const Derivation> derivations,
             const MakeSolver& make_solver);
@@ -55,25 +56,26 @@ class Condensed final : public LinearSolver {
     int closure, derived, factor;  // row of A_r, position in derived_, position in work_
   };
   struct DerivedUnknown {
-    int row, column, pivot;  // of A; position of the pivot among its values
-    int first, end;          // its terms
+    int row, column, pivot;  // row and column of A, position of the pivot among its values
+    int first, end;          // range of its terms
   };
   struct Term {
     int column, from, to;  // column of A, position among its values and in work_
   };
 
   Pattern reduced_;
-  std::unique_ptr<LinearSolver> solver_;    // of A_r; null: all is derived
-  std::vector<DerivedUnknown> derived_;     // in their order
-  std::vector<Term> terms_;                 // of derivations without pivots, by derivation
-  std::vector<Copy> copies_;                // entries of closures
-  std::vector<Operation> operations_;       // the last derivation first, then by closure
+  std::unique_ptr<LinearSolver> solver_;  // solver of A_r; null: all is derived
+  std::vector<DerivedUnknown> derived_;   // in the order of derivations
+  std::vector<Term> terms_;   // entries of derivations except pivots, ordered by derivation
+  std::vector<Copy> copies_;  // entries of closures
+  std::vector<Operation> operations_;  // from the last derivation to the first, then by closure
   std::vector<DerivedTerm> derived_terms_;  // C_y, with what elimination adds to it
-  std::vector<int> closure_row_, column_;   // of A, of each row and column of A_r
-  int cleared_ = 0;                         // number of values that are sums: A_r, then C_y
-  std::vector<double> work_;   // A_r; C_y; −D_x and −D_y, without its pivots, over these
+  std::vector<int> closure_row_, column_;   // row, column of A for each one of A_r
+  int cleared_ = 0;  // number of values in work_ that are sums: A_r, then C_y
+  // A_r; C_y; then entries of D_x and D_y except pivots, divided by −pivot of their row
+  std::vector<double> work_;
   std::vector<double> scale_;  // −1/pivot of each derivation
-  std::vector<double> x_, y_;  // right-hand sides, then solution
+  std::vector<double> x_, y_;  // right-hand side, then solution
 };
 
 }  // namespace desmo

@@ -38,7 +38,7 @@ class Dense final : public LinearSolver {
 
  private:
   int n_;
-  std::vector<int> position_;  // of each pattern entry in the matrix
+  std::vector<int> position_;  // position of each pattern entry in the matrix
   Lu lu_;
 };
 

@@ -66,12 +66,12 @@ class Equilibration {
   }
 
   static bool are_ordinary(std::span<const double> numbers) {
-    constexpr int ordinary = 10;  // binary orders from 1
+    constexpr int ordinary = 10;  // maximum |binary exponent| (≤)
     return std::ranges::all_of(numbers,
                                [](double x) { return std::abs(std::ilogb(x)) <= ordinary; });
   }
 
-  std::vector<double> row_, column_;  // powers of two; empty: all are 1
+  std::vector<double> row_, column_;  // powers of two, diagonals of R and S; empty: all are 1
   std::vector<Entry> entries_;        // entries of Φ_φ
   std::vector<double> scaled_;
 };

@@ -24,7 +24,7 @@ class KluFactors final : public LinearSolver {
       : n_(pattern.n), start_(pattern.column_start), row_(pattern.row) {
     klu_defaults(&common_);
     common_.btf = btf == BlockTriangularForm::on;
-    common_.scale = -1;  // row scaling costs a tenth and these matrices need none
+    common_.scale = -1;  // row scaling costs a tenth of the time, and these matrices need none
     // A pivot order has to last. With the default of 0.001 a pivot may be so small that the motion
     // takes it through zero.
     common_.tol = 0.1;
@@ -53,7 +53,7 @@ class KluFactors final : public LinearSolver {
 
   void forget_pivots() override { klu_free_numeric(&numeric_, &common_); }
 
-  /// Returns where the irreducible blocks begin among the rows, and where the last ends.
+  /// Returns the first row of each irreducible block, in permuted order, and the end of the last.
   std::span<const int> block_start() const {
     return {symbolic_->R, static_cast<std::size_t>(symbolic_->nblocks) + 1};
   }

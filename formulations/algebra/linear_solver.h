@@ -6,7 +6,7 @@ namespace desmo {
 struct Pivots {
   /// True where factors may use a pivot order that was chosen at another position.
   bool reuse_order = false;
-  long choices = 0;  ///< how often an order was chosen, where one may be reused
+  long choices = 0;  ///< number of times an order was chosen; counted where one may be reused
 };
 
 /// Solver of linear systems with the scaled Jacobian A of one part (JacobianFactors scales rows and

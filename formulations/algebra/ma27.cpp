@@ -1,5 +1,5 @@
 // Sparse LDLᵀ by HSL's MA27 (Duff & Reid 1983), the paper's solver, in a library that the user
-// brings. Analysis once; the memory of the factors is reused.
+// brings. Analysis is done once; the memory of the factors is reused.
 //
 // MA27 takes symmetric matrices; Φ_φ is not symmetric, and the paper does not say how it was
 // treated. Here MA27 solves normal equations, Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ, whichever takes fewer
@@ -87,7 +87,7 @@ struct Ma27Analysis {
         column.push_back(j + 1);
       }
     const int entries = count(row);
-    std::vector<int> space(2 * (2 * row.size() + order.size()) + 1);  // twice the least
+    std::vector<int> space(2 * (2 * row.size() + order.size()) + 1);  // twice the minimum
     Ma27Dialogue& d = dialogue;
     do {
       const int size = count(space);
@@ -156,7 +156,7 @@ class Ma27 final : public LinearSolver {
 
   Ma27Analysis a_;
   int n_, entries_;
-  std::vector<double> reals_;  // the matrix, then its factors, with what is in integers_
+  std::vector<double> reals_;  // the matrix; then, with integers_, its factors
   std::vector<int> integers_;
   std::vector<double> front_;  // no front is larger than the matrix
   int max_front_ = 0;

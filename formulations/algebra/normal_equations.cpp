@@ -17,7 +17,8 @@ NormalEquations::NormalEquations(const Pattern& p, NormalForm form, std::vector<
   for (int k = 0; k < n_; ++k) new_index[permutation_[k]] = k;
 
   // Entries of Φ_φ that are multiplied with each other in N: those of one row of Φ_φ
-  // (NormalForm::columns), or of one column (rows). Each: index in N, position of its value.
+  // (NormalForm::columns), or of one column (rows). For each entry: its index in N and the position
+  // of its value.
   std::vector<std::vector<std::pair<int, int>>> meeting(n_);
   std::vector<std::vector<Pair>> transposed(n_);
   for (int j = 0; j < n_; ++j)

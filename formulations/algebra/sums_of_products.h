@@ -7,8 +7,7 @@
 namespace desmo {
 
 /// Sums of products of elements of two arrays, cᵢ = Σ u_a v_b over given pairs (a, b). Sums with
-/// equally many products are evaluated in sequence: branches become predictable, and the time does
-/// not depend on code alignment.
+/// equally many products are evaluated one after the other, so that branches are predictable.
 class SumsOfProducts {
  public:
   struct Pair {
@@ -42,7 +41,7 @@ class SumsOfProducts {
           c[*target] = sum;
         }
       };
-      // Short ones without a loop.
+      // Sums of up to four products are evaluated without an inner loop.
       const auto is_short = [&]<int... length>(std::integer_sequence<int, length...>) {
         return ((run.length == length && (add(std::integral_constant<int, length>()), true)) ||
                 ...);

@@ -23,10 +23,11 @@ class Umfpack final : public LinearSolver {
         work_(n_),
         index_work_(n_) {
     umfpack_di_defaults(control_);
-    control_[UMFPACK_IRSTEP] = 0;                  // Newton refines
+    control_[UMFPACK_IRSTEP] = 0;  // no iterative refinement: Newton's method refines
     control_[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;  // these matrices need none
-    control_[UMFPACK_FIXQ] = 1;        // fronts this small do not repay a search for better columns
-    control_[UMFPACK_ALLOC_INIT] = 2;  // room for all at once: no growth, no garbage collection
+    control_[UMFPACK_FIXQ] = 1;  // fronts this small do not repay a search for better columns
+    // twice the estimated memory at once, so that it need not grow
+    control_[UMFPACK_ALLOC_INIT] = 2;
     if (umfpack_di_symbolic(n_, n_, start_.data(), row_.data(), nullptr, &symbolic_, control_,
                             nullptr) != UMFPACK_OK)
       throw std::invalid_argument("UMFPACK: the Jacobian could not be analysed");
