@@ -18,8 +18,8 @@ Members members_of(const Subsystem& subsystem) {
   return members;
 }
 
-/// Returns the states of all parts of a subsystem, ascending: components of an entity then follow
-/// each other.
+/// Returns the positions in the state that the parts of a subsystem read or write, ascending:
+/// components of an entity then follow each other.
 std::vector<int> places_of(std::span<const ExplicitPart* const> subsystem) {
   std::set<int> states;
   for (const ExplicitPart* const part : subsystem)
@@ -27,8 +27,8 @@ std::vector<int> places_of(std::span<const ExplicitPart* const> subsystem) {
   return {states.begin(), states.end()};
 }
 
-/// For each state of the first subsystem that which stands in its place in another. Nothing where
-/// one stands in two places.
+/// Returns, for each position in the state that the first subsystem uses, the position that another
+/// one uses instead; nothing where it would use two.
 std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> other,
                                           std::span<const ExplicitPart* const> first,
                                           std::span<const int> states) {
@@ -87,7 +87,7 @@ Batch::Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
   bind({std::vector<bool>(kinds.size(), true), {}, Level::acceleration});
 }
 
-/// Makes the parts of the batch. Returns what they do with each number.
+/// Makes the parts of the batch. Returns how they use each number.
 std::vector<Batch::Use> Batch::add_parts(const SubsystemKernels& kernels,
                                          std::span<const ExplicitPart* const> first,
                                          std::span<const int> of_first) {
@@ -113,8 +113,8 @@ std::vector<int> Batch::drivers() const {
   return all;
 }
 
-/// Returns where all numbers stand in the state that are not its own: subsystems that are solved
-/// alone read more than kernels do.
+/// Returns the positions in the state of all numbers but unknowns and drivers: subsystems that are
+/// solved alone read more than kernels do.
 std::vector<int> Batch::reads() const {
   std::vector<int> all;
   for (const std::vector<int>& of_lane : places_)
@@ -123,7 +123,8 @@ std::vector<int> Batch::reads() const {
   return all;
 }
 
-/// visit(in_lane, place): where each of these numbers of a lane stands in lanes and in the state.
+/// Calls visit(in_lane, place) for these numbers of a lane, with their positions in BatchState and
+/// in the state.
 template <class Visit>
 void Batch::for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& visit) const {
   for (const int n : numbers) visit(n * lanes_ + lane, places_[lane][n]);
@@ -161,7 +162,8 @@ const Batch::Step& Batch::solve(const State& s) {
   for (const KernelBatch& part : parts_) {
     const LaneResult r = part.solve(state_.now(), of_part);
     of_part += max_lanes;
-    // Lanes that are refused go on without meaning, and never converge.
+    // A refused lane goes on with meaningless numbers and may never converge: later iterations do
+    // not count.
     if (step_.accepted == all()) step_.iterations = std::max(step_.iterations, r.iterations);
     step_.accepted &= r.accepted;
   }
@@ -209,12 +211,13 @@ void Batch::bind(const PartOutputs& outputs) {
   for (std::size_t i = 0; i < in_state.size(); ++i)
     in_state[i] = outputs.observed[i] ? static_cast<int>(i) : -1;
   observed_ = targets(unknowns_, in_state);
-  // Drivers of a lower level are known up to that level only.
+  // A part of a lower level delivers rates up to that level only, and drivers may be requested to a
+  // higher one.
   if (!outputs.places.empty())
     delivered_ = targets(outputs.level == Level::acceleration ? own_ : unknowns_, outputs.places);
 }
 
-/// Each place once: it becomes −1.
+/// Returns the targets of numbers at these places. Each place is used once: it becomes −1.
 Scatter Batch::targets(std::span<const int> numbers, std::span<int> places) const {
   LanePlaces to(lanes_, std::vector<int>(places_.front().size(), -1));
   for (std::size_t l = 0; l < subsystems_.size(); ++l)

@@ -45,13 +45,14 @@ class Batch {
  public:
   /// The outcome of a step.
   struct Step {
-    unsigned accepted = 0;                      ///< bit l: every part of subsystem l is accepted
-    int iterations = 0;                         ///< the most of any part
-    std::array<double, max_lanes> residual2{};  ///< ‖Φ‖₂² of each; of meaning where accepted
+    unsigned accepted = 0;  ///< bit l: every part of subsystem l is accepted
+    int iterations = 0;     ///< largest number of iterations of a part
+    /// ‖Φ‖₂² of each subsystem; unspecified where not accepted
+    std::array<double, max_lanes> residual2{};
   };
 
-  /// subsystems: alike, as are_alike() says; they outlive the batch. kinds: of each position in the
-  /// state.
+  /// subsystems: alike, as are_alike() says; they outlive the batch. kinds: the origin of each
+  /// position in the state.
   Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
         const std::vector<StateKind>& kinds, Guess guess);
 
@@ -95,7 +96,7 @@ class Batch {
  private:
   /// Uses of a number by the parts.
   struct Use {
-    bool is_read = false;  // before any of them has written it
+    bool is_read = false;  // before any part has written it
     bool is_unknown = false, is_unwrapped = false;
   };
 
@@ -117,16 +118,18 @@ class Batch {
   std::vector<KernelBatch> parts_;
   std::size_t lanes_;
   LanePlaces places_;                   // the place in the state of each number of each lane
-  std::vector<int> unknowns_, driven_;  // numbers, ascending
-  std::vector<int> own_;                // both of them, ascending
+  std::vector<int> unknowns_, driven_;  // unknowns, drivers: numbers, ascending
+  std::vector<int> own_;                // both unknowns and drivers, ascending
   Gather constants_, moving_;           // numbers of other parts, read once or in every step
   Gather undriven_;                     // driven numbers, read where no step was begun
   Gather starts_;                       // unknowns, read where none are predicted
   Scatter observed_, delivered_;        // numbers to write to the state, and to lent outputs
   BatchState state_;
-  LaneValues residuals2_;  // by part, for the largest number of lanes
+  LaneValues residuals2_;  // max_lanes values for each part
   Step step_;
   bool assembled_ = false;  // every part has found a position since forget()
+  // kept_: state_ was solved since forget(); predicted_: the step starts from a prediction;
+  // is_driven_: state_ has the step's drivers
   bool kept_ = false, predicted_ = false, is_driven_ = false;
 };
 

@@ -8,7 +8,8 @@ namespace desmo {
 
 namespace {
 
-/// Lanes left empty cost as much as others: as few as may be.
+/// Returns the kernels with the fewest lanes that hold all subsystems, or those with the most
+/// lanes. Empty lanes cost as much as others.
 const SubsystemKernels& kernels_for(std::size_t subsystems,
                                     const std::vector<SubsystemKernels>& kernels) {
   const auto hold_all = [&](const SubsystemKernels& k) {
@@ -68,7 +69,7 @@ void BatchPart::solve(Batch& batch, State& s, std::span<const double> last, Leve
   batch.copy_from(s);
 }
 
-/// Up to the first part that cannot be solved: the next may need it.
+/// Solves the parts of a subsystem up to the first that cannot be solved: the next may need it.
 void BatchPart::solve_alone(Subsystem& subsystem, State& s, std::span<const double> last,
                             Level level, PartResult& all) {
   for (const auto& member : subsystem) {

@@ -15,14 +15,15 @@ namespace desmo {
 /// position yet, or of which the code refuses a part, is solved alone, by its own parts.
 class BatchPart final : public Part, public ResidentPart {
  public:
-  /// kernels: one or more, each for more lanes than the one before. subsystems: two or more,
-  /// alike as are_alike() says. kinds: of each position in the state.
+  /// kernels: one or more, each for more lanes than the one before. subsystems: two or more, alike
+  /// as are_alike() says. kinds: the origin of each position in the state.
   BatchPart(std::vector<SubsystemKernels> kernels, std::vector<Subsystem> subsystems,
             const std::vector<StateKind>& kinds, Guess guess);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
   /// Returns drivers and other inputs of the batches, and all inputs of the subsystem that is left
-  /// over. Batches predict from what they keep, so only the latter has predicted unknowns.
+  /// over, its own unknowns included. Batches predict from what they keep, so only the latter has
+  /// predicted unknowns.
   PartInputs inputs(PartInputs equations) const override;
   ResidentPart* resident() override { return this; }
   void bind(const PartOutputs& outputs) override;
@@ -43,7 +44,7 @@ class BatchPart final : public Part, public ResidentPart {
 
   std::vector<Subsystem> subsystems_;
   std::vector<Batch> batches_;
-  Subsystem* left_over_ = nullptr;  // a subsystem that would be alone in a batch
+  Subsystem* left_over_ = nullptr;  // subsystem that would be alone in a batch; null: none
   std::vector<double> last_;  // positions of the instant before, where a subsystem is solved alone
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 using Binding = ExplicitBinding<double>;
 
-/// Returns an array of each part, the elements of all parts side by side.
+/// Returns an array of all parts in lanes: element k of each part side by side.
 LaneValues side_by_side(const std::vector<ExplicitPart*>& lanes, std::size_t count,
                         const double* Binding::*array) {
   LaneValues result;
@@ -17,7 +17,7 @@ LaneValues side_by_side(const std::vector<ExplicitPart*>& lanes, std::size_t cou
   return result;
 }
 
-/// Returns the widest limits of all lanes: what rounding leaves differs between them.
+/// Returns the limits of the lane with the largest tolerance: rounding floors differ between lanes.
 ExplicitLimits limits_of(const std::vector<ExplicitPart*>& lanes) {
   const auto limits = [](const ExplicitPart* part) { return part->binding().limits; };
   return limits(*std::ranges::max_element(
@@ -39,7 +39,7 @@ KernelBatch::KernelBatch(const LaneKernel& kernel, std::vector<ExplicitPart*> la
               w_.data(),  anchors_.data(), limits_of(lanes_)};
 }
 
-void KernelBatch::take_branches() {  // in place: in the midst of a motion nothing is allocated
+void KernelBatch::take_branches() {  // in place: nothing is allocated during a motion
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
     const std::span<const double> branches = lanes_[l]->branches();
     for (std::size_t k = 0; k < branches.size(); ++k) branch_[k * lanes_.size() + l] = branches[k];

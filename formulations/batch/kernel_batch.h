@@ -23,10 +23,11 @@ class KernelBatch {
   ///   several lanes; they outlive the batch
   /// - in: the position of each local input in the arrays that solve() is given
   KernelBatch(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes, std::vector<int> in);
-  KernelBatch(KernelBatch&&) = default;  // what the binding points to comes along
+  KernelBatch(KernelBatch&&) = default;  // binding_ stays valid: moved vectors keep their memory
 
-  /// Solves positions, velocities and accelerations, which lanes hold side by side. residual2:
-  /// ‖Φ‖₂² of each lane. Positions and rates of a lane that is not accepted are unspecified.
+  /// Solves positions, velocities and accelerations in a state whose numbers are in lanes.
+  /// residual2: ‖Φ‖₂² of each lane. Positions and rates of a lane that is not accepted are
+  /// unspecified.
   LaneResult solve(LaneState& state, double* residual2) const {
     return kernel_.solve(state.q.data(), state.qd.data(), state.qdd.data(), binding_, residual2);
   }
@@ -56,8 +57,8 @@ void copy_number(const auto& from, std::size_t i, auto& to, std::size_t j) {
 class BatchState {
  public:
   BatchState() = default;
-  /// numbers: of one lane. predicted, unwrapped: those of them that solvers start from (see
-  /// PartInputs), ascending.
+  /// numbers: their count in one lane. predicted, unwrapped: those of them that solvers start from
+  /// (see PartInputs), ascending.
   BatchState(std::size_t numbers, std::size_t lanes, Guess guess, std::span<const int> predicted,
              std::vector<int> unwrapped)
       : states_(std::make_unique<std::array<LaneState, 2>>()),
@@ -78,7 +79,7 @@ class BatchState {
   const LaneState& before() const { return *before_; }
 
   /// Leaves the last instant in before() and writes to now() the positions that solvers start from;
-  /// the rest of now() is of the instant before.
+  /// the rest of now() is of the instant before that.
   void predict(const StepHistory& history) {
     std::swap(now_, before_);
     if (!predictor_.empty()) predictor_(history, *before_, *now_, now_->q.data());
@@ -87,7 +88,8 @@ class BatchState {
   }
 
  private:
-  std::unique_ptr<std::array<LaneState, 2>> states_;  // these two, in turn
+  // memory of now_ and before_, which take turns
+  std::unique_ptr<std::array<LaneState, 2>> states_;
   LaneState *now_ = nullptr, *before_ = nullptr;
   std::size_t lanes_ = 0;
   Predictor predictor_;

@@ -14,7 +14,8 @@ namespace {
 
 using Places = std::array<int, quad>;
 
-/// used: the others stand with the last of these.
+/// Returns the places of a number in lanes from first_lane on. Lanes from `used` on have the place
+/// of the last one before.
 template <std::size_t lanes>
 std::array<int, lanes> places_of(int number, const LanePlaces& places, std::size_t first_lane,
                                  std::size_t used) {
@@ -24,7 +25,7 @@ std::array<int, lanes> places_of(int number, const LanePlaces& places, std::size
   return result;
 }
 
-/// Returns whether places follow `size` others that begin there.
+/// Returns whether, in each lane, the place is `size` after `begin`.
 template <std::size_t lanes>
 bool follow(const std::array<int, lanes>& places, const std::array<int, lanes>& begin, int size) {
   for (std::size_t l = 0; l < lanes; ++l)
@@ -33,7 +34,7 @@ bool follow(const std::array<int, lanes>& places, const std::array<int, lanes>& 
 }
 
 #ifdef __AVX__
-/// Two numbers of a quad to element k and the next.
+/// Writes two numbers of four lanes to elements k and k + 1 of each lane's array.
 void put_two(__m256d x, __m256d y, const std::array<double*, quad>& to, std::size_t k) {
   const __m256d even = _mm256_unpacklo_pd(x, y), odd = _mm256_unpackhi_pd(x, y);
   _mm_storeu_pd(to[0] + k, _mm256_castpd256_pd128(even));
@@ -42,7 +43,7 @@ void put_two(__m256d x, __m256d y, const std::array<double*, quad>& to, std::siz
   _mm_storeu_pd(to[3] + k, _mm256_extractf128_pd(odd, 1));
 }
 
-/// Four numbers of a quad to element k and the three after it.
+/// Writes four numbers of four lanes to elements k … k + 3 of each lane's array.
 void unpack_four(const std::array<const double*, 4>& from, const std::array<double*, quad>& to,
                  std::size_t k) {
   const __m256d a = _mm256_load_pd(from[0]), b = _mm256_load_pd(from[1]),
@@ -56,7 +57,8 @@ void unpack_four(const std::array<const double*, 4>& from, const std::array<doub
 }
 #endif
 
-/// Writes numbers of a quad, which begin at these offsets, one after the other to each of `to`.
+/// Writes numbers of four lanes, which begin at these offsets, one after the other to each lane's
+/// array.
 [[gnu::always_inline]] inline void scatter_quad(const double* __restrict from,
                                                 std::span<const int> offsets,
                                                 std::array<double*, quad> to) {
@@ -115,7 +117,7 @@ void Gather::gather_lanes(const std::array<const double*, arrays>& from,
                           std::array<double*, arrays> to) const {
   for (const std::vector<Range>& ranges : quads_) {
     for (const Range& r : ranges) {
-      const auto [first, size, place] = r;  // stores might change what they are read from
+      const auto [first, size, place] = r;  // a copy: stores through `to` might alias the range
       for (int k = 0; k < size; ++k)
         for (std::size_t a = 0; a < arrays; ++a)
           gather_quad(from[a] + k, place, to[a] + (first + k) * lanes);

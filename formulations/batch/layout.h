@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-/// Lanes of a register of 512 bits.
+/// Number of lanes in a register of 512 bits.
 inline constexpr int wide = 8;
 
 /// Numbers in lanes, and the array that they are scattered to.
@@ -17,15 +17,15 @@ struct LaneCopy {
 };
 
 /// Writes to[l][k] = from[offsets[k] + l] for eight lanes. from: begins a cache line; offsets:
-/// multiples of eight. Only where has_lanes(wide).
+/// multiples of eight. Call it only where has_lanes(wide) is true.
 void unpack_wide(const double* from, std::span<const int> offsets, std::span<double* const> to);
-/// Does so for several arrays, and for one to eight lanes, as many as there are places: lane l is
+/// Does the same for several arrays and for one to eight lanes, one for each place: lane l is
 /// written from to[places[l]] on.
 void unpack_wide(std::span<const LaneCopy> copies, std::span<const int> offsets,
                  std::span<const int> places);
 
-/// Lanes that are gathered and scattered at a time, wherever wider registers gain nothing: those of
-/// a register of 256 bits.
+/// Number of lanes that are gathered or scattered at a time where wider registers gain nothing:
+/// that of a register of 256 bits.
 inline constexpr int quad = 4;
 
 /// Writes to[l][n] = from[offsets[n] + l] for as many lanes as there are arrays, four or eight.
@@ -39,7 +39,7 @@ using LanePlaces = std::vector<std::vector<int>>;
 class Gather {
  public:
   Gather() = default;
-  /// which: numbers, ascending, that have a place for every lane.
+  /// which: numbers, ascending, that have a place in every lane.
   Gather(std::span<const int> which, const LanePlaces& places);
 
   bool empty() const { return quads_.empty() || quads_.front().empty(); }
@@ -54,9 +54,9 @@ class Gather {
   /// or the entities of a subsystem.
   struct Range {
     int first, size;
-    std::array<int, quad> place;  // of the first
+    std::array<int, quad> place;  // place of the first number in each lane
   };
-  // Compiled for each number of lanes: it is in every address.
+  // Compiled for each number of lanes, which every address depends on.
   template <std::size_t lanes, std::size_t arrays>
   void gather_lanes(const std::array<const double*, arrays>& from,
                     std::array<double*, arrays> to) const;
@@ -79,8 +79,8 @@ class Scatter {
   template <std::size_t lanes>
   struct Range {
     int size;
-    std::size_t first;              // in offsets_
-    std::array<int, lanes> places;  // of the first number
+    std::size_t first;              // position of its first number in offsets_
+    std::array<int, lanes> places;  // place of the first number in each lane
   };
   template <std::size_t lanes>
   void add(std::vector<int> numbers, const LanePlaces& places, std::size_t first_lane,
@@ -92,7 +92,7 @@ class Scatter {
   std::vector<Range<wide>> wides_;  // ranges of all used lanes, where registers hold them
   std::vector<Range<quad>> quads_;
   std::vector<Range<1>> singles_;  // numbers that not all of these lanes have
-  std::vector<int> offsets_;       // of numbers in the first lane of their range
+  std::vector<int> offsets_;       // of each number in the first lane of its range
   std::size_t lanes_ = 0, used_ = 0;
 };
 

@@ -62,7 +62,8 @@ class BatchMaker {
     return dynamic_cast<const ExplicitPart*>(parts_[i].solver.get());
   }
 
-  /// Moving parts that are connected by what they need of each other, the alike ones together.
+  /// Returns the subsystems, which are the moving parts that need each other, directly or not.
+  /// Those alike are in one list.
   std::vector<std::vector<Positions>> alike_subsystems() const {
     DisjointSets linked(parts_.size());
     Positions owner(model_.state_size(), -1);
@@ -93,7 +94,8 @@ class BatchMaker {
            std::ranges::find(of_b, nullptr) == of_b.end() && desmo::are_alike(of_a, of_b);
   }
 
-  /// The kernels for each part of a subsystem, by numbers of lanes for which there are all.
+  /// Returns the kernels of a subsystem's parts for each number of lanes, ascending, for which all
+  /// exist.
   std::vector<SubsystemKernels> kernels(const Positions& subsystem) const {
     std::vector<SubsystemKernels> result;
     for (const int lanes : lane_counts) {
@@ -123,7 +125,7 @@ class BatchMaker {
     return by_subsystem <= by_type;
   }
 
-  /// Puts the subsystems as one part.
+  /// Appends a part to result_ that solves these subsystems in batches.
   void put(std::span<const Positions> subsystems) {
     std::vector<Subsystem> members;
     std::vector<SubsystemKernels> of_subsystem = kernels(subsystems.front());
@@ -150,8 +152,8 @@ class BatchMaker {
     result_.push_back(std::move(all));
   }
 
-  /// Puts ranges of one type together where there is code, the others one by one, after what is put
-  /// already.
+  /// Returns constant parts, the parts in result_, then the other parts: those of one range in
+  /// batches where there is code for lanes, the rest one by one.
   std::vector<DefinedPart> by_types(const Positions& left) {
     std::vector<DefinedPart> subsystems = std::exchange(result_, {});
     for (auto first = left.begin(); first != left.end();) {
@@ -179,7 +181,7 @@ class BatchMaker {
   const int lanes_;
   const Guess guess_;
   const KernelTable& table_;
-  std::vector<int> range_of_;     // by part
+  std::vector<int> range_of_;     // range of each part, by type_ends
   std::vector<StateKind> kinds_;  // of each position in the state
   std::vector<DefinedPart> result_;
 };

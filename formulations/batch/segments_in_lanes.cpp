@@ -88,9 +88,9 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
   return total;
 }
 
-/// Continues in each lane to the position from which the first instant of its segment is solved, in
-/// all at once, as in a motion that takes a unit of time. Returns false where one needs shorter
-/// steps.
+/// Continues all lanes at once to the positions from which the first instants of their segments are
+/// solved, as in a motion that takes a unit of time. Returns false where a lane would need shorter
+/// steps or cannot be continued.
 bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
   int steps = 1;
   for (int l = 0; l < lanes_; ++l) {
@@ -132,7 +132,7 @@ bool SegmentsInLanes::solve_alone(int lane, State& state, std::span<const double
   return true;
 }
 
-/// known: how many instants were solved, h apart.
+/// Predicts the next instant. h: time between instants; known: number of instants solved so far.
 void SegmentsInLanes::predict(double h, int known) {
   const auto solved = [&](int least) {
     return known >= least ? std::optional(Level::acceleration) : std::nullopt;
@@ -172,7 +172,8 @@ SegmentsInLanes::StepInLanes SegmentsInLanes::solve() {
   return step;
 }
 
-/// A lane that the code has refused starts from its last position; others were predicted.
+/// Solves one lane alone. A lane that the code has refused starts from its last position; others
+/// start from the prediction.
 void SegmentsInLanes::solve_lane(PartInLanes& part, int lane, StepInLanes& step) {
   for (std::size_t k = 0; k < alone_.q.size(); ++k)
     copy_number(state_.now(), k * lanes_ + lane, alone_, k);
@@ -187,7 +188,7 @@ void SegmentsInLanes::solve_lane(PartInLanes& part, int lane, StepInLanes& step)
     copy_number(alone_, k, state_.now(), static_cast<std::size_t>(k) * lanes_ + lane);
 }
 
-/// Each segment ended where the next had begun.
+/// Returns whether each segment ended where the next had begun.
 bool SegmentsInLanes::meet() const {
   const auto coordinates = static_cast<std::size_t>(model_.coordinates());
   std::vector<double> ended(coordinates), begun(coordinates);

@@ -13,8 +13,8 @@
 
 namespace desmo {
 
-/// Length of the shortest segment that is solved in lanes, in instants. In a shorter one, lanes
-/// gain less than the continuation to its start costs.
+/// Minimum length of a segment that is solved in lanes [instants] (≥). In a shorter one, lanes gain
+/// less than the continuation to its start costs.
 inline constexpr int min_segment = 16;
 
 /// Solves as many equal segments of a motion as there are lanes, one in each lane of a batch of the
@@ -24,8 +24,8 @@ class SegmentsInLanes final : public SegmentExecutor {
  public:
   using Parts = std::vector<DefinedPart>;
 
-  /// parts: of each lane, the same in all, in the order of solution. table: where code for lanes
-  /// is; it must outlive this.
+  /// parts: those of each lane, the same in all, in the order of solution. table: has the code for
+  /// lanes; it must outlive this object.
   SegmentsInLanes(const Model& model, std::vector<Parts> parts, const Settings& settings,
                   const KernelTable& table);
 
@@ -39,13 +39,14 @@ class SegmentsInLanes final : public SegmentExecutor {
   struct PartInLanes {
     std::vector<std::unique_ptr<Part>> members{};
     std::vector<int> unknowns;
-    std::optional<KernelBatch> together{};  // nothing: lane by lane
+    // code for all lanes; nothing: it is solved lane by lane
+    std::optional<KernelBatch> together{};
   };
   /// The outcome of a step in all lanes.
   struct StepInLanes {
     bool ok = true;
     int iterations = 0;
-    long updates = 0;  // in each lane
+    long updates = 0;  // in each lane, as far as lanes are solved together
   };
 
   PartInLanes put_in_lanes(std::vector<Parts>& parts, std::size_t index,
@@ -64,18 +65,18 @@ class SegmentsInLanes final : public SegmentExecutor {
   const Model& model_;
   const Settings settings_;
   const int lanes_;
-  MotionSampler motions_;  // of the drivers, in lanes
+  MotionSampler motions_;  // samples the drivers in lanes
   std::vector<PartInLanes> parts_;
   BatchState state_;
   LaneValues entered_;                        // positions at the first instant of each segment
-  LaneValues residual2_;                      // of the step, by lane
+  LaneValues residual2_;                      // ‖Φ‖₂² of the step in each lane
   State alone_;                               // workspace: the state of a lane solved alone
   std::vector<double> last_alone_;            // workspace: last positions of that lane
-  std::vector<std::vector<double>> changes_;  // of drivers, to the start of each segment
-  std::vector<int> requested_;                // where requested coordinates begin in lanes
+  std::vector<std::vector<double>> changes_;  // changes of the drivers to the start of each segment
+  std::vector<int> requested_;                // position in lanes of each requested coordinate
   std::vector<int> indices_;                  // instants for which memory is borrowed
-  std::vector<OutputView> outputs_;           // borrowed memory, by position in indices_
-  std::size_t used_ = 0;                      // outputs used so far
+  std::vector<OutputView> outputs_;           // borrowed memory of each instant in indices_
+  std::size_t used_ = 0;                      // number of outputs_ used so far
   std::vector<double> beyond_;                // receives instants after the end of the motion
 };
 

@@ -13,8 +13,8 @@ namespace desmo {
 
 namespace {
 
-/// Unknowns times instants of a segment: some ten times the work that takes as long as a thread
-/// takes to begin.
+/// Minimum work of a segment: moving unknowns times instants. It takes some ten times as long as a
+/// thread takes to begin.
 constexpr long min_work = 100'000;
 
 long moving_unknowns(const TimeStepping& f) {
@@ -31,13 +31,14 @@ bool all_differ(const std::vector<std::atomic<int>>& numbers) {
   return true;
 }
 
-/// Makes the threads on which motions will be solved. New ones may share a processor while another
-/// has nothing to do, for longer than a motion takes: they are kept busy until the system has
-/// spread them, or until that takes too long.
+/// Starts the threads on which motions will be solved. New threads may share a processor for longer
+/// than a motion takes, while another processor is idle. They are kept busy until each has a
+/// processor of its own, or until that takes too long.
 void start_threads(int count) {
   constexpr std::chrono::milliseconds too_long{30};
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<std::atomic<int>> on(count);  // the processor of each, from 1; 0: not known yet
+  // number of each thread's processor, from 1; 0: not known yet
+  std::vector<std::atomic<int>> on(count);
 #pragma omp parallel num_threads(count)
   {
     const bool may_spread = omp_get_num_threads() == count && count <= omp_get_num_procs();
@@ -46,7 +47,7 @@ void start_threads(int count) {
   }
 }
 
-/// Instants of a grid from `begin` on, up to `end`, which is not among them: at their times but for
+/// Returns a grid of the instants `begin` … `end` − 1, whose times are the same except for
 /// rounding.
 TimeGrid cut(const TimeGrid& grid, int begin, int end) {
   return {grid.time(begin), grid.step, end - begin, grid.steps_per_interval};
@@ -54,8 +55,8 @@ TimeGrid cut(const TimeGrid& grid, int begin, int end) {
 
 /// State that the threads share.
 struct Shared {
-  std::mutex mutex{};                // of the observer
-  std::atomic<bool> stopped{false};  // by it
+  std::mutex mutex{};                // locks the observer
+  std::atomic<bool> stopped{false};  // the observer has stopped the run
 };
 
 /// Hands instants of a segment on as those of the whole motion: to the thread's own observer, or
@@ -76,7 +77,7 @@ class SegmentObserver final : public Observer {
     if (own_) hand_on_alone();
     return shared_.stopped ? Flow::stop : Flow::go_on;
   }
-  /// Hands on those that are left, too.
+  /// Hands on the instants that still wait.
   void hand_on() noexcept {
     const std::unique_lock lock = wait();
     hand_on_alone();
@@ -84,8 +85,8 @@ class SegmentObserver final : public Observer {
   int lent_at_once() const noexcept override {
     return own_ ? own_->lent_at_once() : handed_on_together;
   }
-  /// Hands on as well: threads wait less often, and an observer may lend the same memory again,
-  /// which this thread has at hand.
+  /// Hands on waiting instants before it borrows memory. So threads wait less often, and an
+  /// observer may lend the same memory again, which is in this thread's cache.
   void lend(std::span<const int> instants, std::span<OutputView> outputs) noexcept override {
     instants_.assign(instants.begin(), instants.end());
     for (int& instant : instants_) instant += begin_;
@@ -107,7 +108,8 @@ class SegmentObserver final : public Observer {
     waiting_.clear();
   }
 
-  /// Waiting for another thread takes as long as solving some instants.
+  /// Number of instants handed on together: waiting for another thread takes as long as solving
+  /// some.
   static constexpr int handed_on_together = 32;
 
   Observer* const own_;
@@ -116,7 +118,7 @@ class SegmentObserver final : public Observer {
   const TimeGrid& grid_;
   const int begin_;
   std::vector<Instant> waiting_;
-  std::vector<int> instants_;  // for which memory is borrowed
+  std::vector<int> instants_;  // indices of the instants for which memory is borrowed
 };
 
 }  // namespace

@@ -10,12 +10,12 @@
 
 namespace desmo {
 
-/// Solves equal segments of a motion, each on a thread of its own. The cut depends on its work and
-/// the settings alone, not on how many processors there are or how busy they are.
+/// Solves equal segments of a motion, each on a thread of its own. The cut depends on the motion's
+/// work and the settings alone, not on how many processors there are or how busy they are.
 class SegmentsOnThreads final : public SegmentExecutor {
  public:
   /// workers: one for each thread, alike, of the model whose motion is solved; they share only what
-  /// is const. min_instants: shortest segment that is worth entering.
+  /// is const. min_instants: length of the shortest segment that is worth entering [instants].
   SegmentsOnThreads(std::vector<std::unique_ptr<TimeStepping>> workers, int min_instants);
 
   std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
@@ -29,10 +29,10 @@ class SegmentsOnThreads final : public SegmentExecutor {
  private:
   /// A segment, and what became of it.
   struct Segment {
-    int begin = 0, end = 0;        // instants of the grid
+    int begin = 0, end = 0;        // range of instants in the grid
     std::vector<double> entered;   // position at its first instant, in coordinate order
-    bool ended = false;            // the worker stands where the next one begins
-    std::optional<Summary> total;  // nothing: it has to be done step by step
+    bool ended = false;            // the worker has solved the first instant of the next segment
+    std::optional<Summary> total;  // nothing: it could not be solved
     std::exception_ptr error;
   };
 

@@ -7,15 +7,16 @@
 #include <array>
 #include <cstddef>
 
-// Only these functions are compiled for wide registers, not the file: inline functions of the
-// language's headers would be, too, and the linker might choose those for everybody.
+// Only these functions are compiled for wide registers, not the file. Inline functions of standard
+// headers would be, too, and the linker might choose these copies for all callers.
 #define DESMO_WIDE [[gnu::target("arch=x86-64-v4")]]
 
 namespace desmo {
 
 namespace {
 
-/// Four numbers of two lanes, one lane after the other, from pairs of two numbers.
+/// Return four numbers of two lanes, one lane after the other, from registers with pairs of two
+/// numbers.
 DESMO_WIDE inline __m512d lower_pairs(__m512d ab, __m512d cd) {
   return _mm512_permutex2var_pd(ab, _mm512_set_epi64(11, 10, 3, 2, 9, 8, 1, 0), cd);
 }
@@ -23,11 +24,12 @@ DESMO_WIDE inline __m512d upper_pairs(__m512d ab, __m512d cd) {
   return _mm512_permutex2var_pd(ab, _mm512_set_epi64(15, 14, 7, 6, 13, 12, 5, 4), cd);
 }
 
-/// Destinations of the lanes that are used.
+/// The destination of each used lane.
 template <std::size_t used>
 using Targets = std::array<double*, used>;
 
-/// Eight numbers of a lane and of the next but one, from two registers with four of each.
+/// Writes eight numbers of lanes `lane` and `lane + 2`, from two registers with four numbers of
+/// each.
 template <std::size_t lane, std::size_t used>
 DESMO_WIDE inline void put(__m512d first, __m512d second, const Targets<used>& to, std::size_t k) {
   if constexpr (lane < used)
@@ -36,7 +38,7 @@ DESMO_WIDE inline void put(__m512d first, __m512d second, const Targets<used>& t
     _mm512_storeu_pd(to[lane + 2] + k, _mm512_shuffle_f64x2(first, second, 0xee));
 }
 
-/// Eight numbers to element k and the seven after it.
+/// Writes eight numbers of each lane to elements k … k + 7.
 template <std::size_t used>
 DESMO_WIDE inline void unpack_eight(const double* from, const int* offsets, const Targets<used>& to,
                                     std::size_t k) {
@@ -54,14 +56,14 @@ DESMO_WIDE inline void unpack_eight(const double* from, const int* offsets, cons
   put<5>(upper_pairs(odd_ab, odd_cd), upper_pairs(odd_ef, odd_gh), to, k);
 }
 
-/// Two numbers of a lane, the pair that stands at `lane / 2` in a register.
+/// Writes two numbers of a lane: pair `lane / 2` of the register.
 template <std::size_t lane, std::size_t used>
 DESMO_WIDE inline void put_pair(__m512d pairs, const Targets<used>& to, std::size_t k) {
   if constexpr (lane < used)
     _mm_storeu_pd(to[lane] + k, _mm512_extractf64x2_pd(pairs, static_cast<int>(lane / 2)));
 }
 
-/// Two numbers to element k and the one after it.
+/// Writes two numbers of each lane to elements k and k + 1.
 template <std::size_t used>
 DESMO_WIDE inline void unpack_two(const double* from, const int* offsets, const Targets<used>& to,
                                   std::size_t k) {
@@ -73,10 +75,10 @@ DESMO_WIDE inline void unpack_two(const double* from, const int* offsets, const 
   put_pair<6>(even, to, k), put_pair<7>(odd, to, k);
 }
 
-/// target(l): where lane l goes.
+/// Writes numbers of each lane, one after the other. target(l): where lane l is written.
 template <std::size_t used, class Target>
 DESMO_WIDE void unpack_lanes(const double* from, std::span<const int> offsets, Target target) {
-  Targets<used> to;  // of its own: stores might change what they are read from
+  Targets<used> to;  // a copy: stores might alias the original
   for (std::size_t l = 0; l < used; ++l) to[l] = target(l);
   std::size_t k = 0;
   for (; k + wide <= offsets.size(); k += wide) unpack_eight(from, &offsets[k], to, k);
