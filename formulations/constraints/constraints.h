@@ -18,18 +18,19 @@
 //                              always the same entries in the same order
 //   quadratic(x, v, c, gamma)  gamma[rows] = Φ̇_q q̇, the quadratic velocity term of eq. (4),
 //                              overwritten
-// Kinds whose dimensions the positions of their operands determine have another one, for any scalar
-// with division and square root:
+// Kinds whose dimensions follow from the positions of their operands have a fourth function, for
+// any scalar with division and square root:
 //   measure(x, c)              c[constants] = dimensions for which the constraint holds at x,
 //                              overwritten; angles among the operands are not read
-// Kinds without it take no constants, or some that their operands do not tell.
-// A kind that reads a table takes it about the position of its operands: see constants_at().
-// The operands of a constraint are different entities. Lengths are in the unit of the mechanism,
-// angles in radians.
+// Kinds without it take no constants, or some that do not follow from the positions. A kind that
+// reads a table takes as constants its polynomial at the position of its operands: see
+// constants_at(). The operands of a constraint are different entities. Lengths are in the unit of
+// the mechanism, angles in radians.
 //
 // A scalar can be made from nothing and from a double, and has +, −, *, sin and cos (Jet is the
-// shortest). measure() also takes division and square root. Tables take division, comparisons and a
-// conversion to double (find_in_table), unless the scalar has its own table_coefficient, like Expr.
+// shortest example). measure() also takes division and square root. Tables take division,
+// comparisons and a conversion to double (find_in_table), unless the scalar has its own
+// table_coefficient, like Expr.
 
 #include <array>
 #include <cstddef>
@@ -81,7 +82,7 @@ inline constexpr bool has_table = requires {
 };
 
 /// Returns the constants that the functions of a kind take at x, from the numbers of a constraint:
-/// these themselves, but for kinds that read a table. The result has data().
+/// these numbers themselves, except for kinds that read a table. The result has data().
 template <class Kind, class S>
 auto constants_at(const S* numbers, const S* const* x) {
   if constexpr (has_table<Kind>)

@@ -97,7 +97,8 @@ struct TableCoupling : NonlinearKind<1> {
             table_coefficient<2>(t, at),
             table_coefficient<3>(t, at)};
   }
-  /// Returns the same from number(k), number k of a constraint, in a scalar that compares.
+  /// Returns the same as about(), from number(k), number k of a constraint, in a scalar that has
+  /// comparisons.
   template <class S, class Number>
   static std::array<S, constants> about_number(const Number& number, const S& s2) {
     const S at = number(1) * s2;

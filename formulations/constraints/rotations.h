@@ -7,7 +7,8 @@
 // which is homogeneous quadratic:
 //   a₀ = (e₀² + e₁² − e₂² − e₃², 2 (e₁e₂ + e₀e₃), 2 (e₁e₃ − e₀e₂))
 //   a₁ = (2 (e₁e₂ − e₀e₃), e₀² − e₁² + e₂² − e₃², 2 (e₂e₃ + e₀e₁))
-// Its axes are unit vectors where e is one (Unit<4>). The third is their product (Cross).
+// These two axes are unit vectors where e is one (Unit<4>). The third axis is their product
+// (Cross).
 
 #include <array>
 #include <cmath>

@@ -13,17 +13,18 @@ namespace desmo {
 /// Returns how many numbers a table of n pieces has.
 constexpr int table_size(int n) { return 5 * n + 4; }
 
-/// Margin by which an argument may be outside of a table that does not repeat, over its length:
-/// what rounding of times and units makes. The outer pieces are continued so far.
+/// Maximum distance of an argument outside of a table that does not repeat (≤), relative to the
+/// table's length. Rounding of times and units makes less. The outer pieces are continued over it.
 inline constexpr double table_margin = 1e-9;
 
-/// Place of an argument in a table. piece: -1 outside.
+/// Place of an argument in a table. piece: -1: outside.
 struct TablePlace {
   int piece;
-  double turns;  ///< whole lengths of the table that were left out
+  double turns;  ///< number of whole lengths of the table taken off the argument
 };
 
-/// Finds an argument. number(k): number k of the table, in a scalar that compares.
+/// Finds the place of an argument x. number(k): number k of the table, in a scalar that has
+/// comparisons.
 template <class S, class Number>
 TablePlace find_in_table(const Number& number, const S& x) {
   const int n = static_cast<int>(number(0));
@@ -33,7 +34,7 @@ TablePlace find_in_table(const Number& number, const S& x) {
   if (number(1) != 0) {
     turns = std::floor(static_cast<double>((x - first) / length));
     at = x - S(turns) * length;
-    if (at < first) at = at + length, turns -= 1;  // as rounding has it
+    if (at < first) at = at + length, turns -= 1;  // rounding may leave it outside
     if (!(at < last)) at = at - length, turns += 1;
   }
   const S margin = S(table_margin) * length;
@@ -46,7 +47,7 @@ TablePlace find_in_table(const Number& number, const S& x) {
   return {low, turns};
 }
 
-/// Returns Taylor's coefficient f⁽ᵏ⁾(x)/k! of a table f; not a number outside of it.
+/// Returns Taylor's coefficient f⁽ᵏ⁾(x)/k! of a table f; NaN outside of it.
 template <int k, class S, class Number>
 S table_number(const Number& number, const S& x) {
   const auto [piece, turns] = find_in_table(number, x);
@@ -63,7 +64,8 @@ S table_number(const Number& number, const S& x) {
   return k == 0 ? sum + S(turns) * number(2) : sum;
 }
 
-/// Returns the same of a table t[]. T: a floating-point number, or lanes of them.
+/// Returns the same as table_number(), of a table t[]. T: a floating-point number, or lanes of
+/// them.
 template <int k, class T>
 T table_coefficient(const T* t, const T& x) {
   if constexpr (requires { T::size(); }) {

@@ -53,14 +53,14 @@ std::array<S, D> direction(const S* const* x) {
   }
 }
 
-/// Returns the sizes of operands that have D components each …
+/// Returns the sizes of operands that have D components each.
 template <int operands>
 constexpr std::array<int, operands> sizes(int D) {
   std::array<int, operands> result{};
   result.fill(D);
   return result;
 }
-/// … and of such operands with a scalar after them.
+/// Returns the sizes of operands that have D components each, and of a scalar after them.
 template <int operands>
 constexpr std::array<int, operands + 1> sizes_and_scalar(int D) {
   std::array<int, operands + 1> result = sizes<operands + 1>(D);
@@ -86,7 +86,7 @@ struct LinearKind {
   }
 };
 
-/// The common part of all others.
+/// The common part of all nonlinear kinds.
 template <int Rows>
 struct NonlinearKind {
   static constexpr int rows = Rows;
