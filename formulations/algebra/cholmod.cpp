@@ -102,7 +102,7 @@ class Cholmod final : public LinearSolver {
   cholmod_sparse a_{};
   cholmod_factor* l_ = nullptr;
   cholmod_dense *right_ = nullptr, *x_ = nullptr, *y_ = nullptr, *e_ = nullptr;
-  const double* values_ = nullptr;  // those factorised last
+  const double* values_ = nullptr;  // values of Φ_φ that were factorised last
 };
 
 }  // namespace

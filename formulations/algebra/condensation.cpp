@@ -9,9 +9,9 @@ namespace desmo {
 Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivations,
                      const MakeSolver& make_solver) {
   struct Entry {
-    int column, value;  // of A
+    int column, value;  // column of A, position of its value
   };
-  std::vector<std::vector<Entry>> rows(pattern.n);  // of A
+  std::vector<std::vector<Entry>> rows(pattern.n);  // entries of each row of A
   for (int j = 0; j < pattern.n; ++j)
     for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
       rows[pattern.row[k]].push_back({j, k});

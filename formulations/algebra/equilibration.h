@@ -72,7 +72,7 @@ class Equilibration {
   }
 
   std::vector<double> row_, column_;  // powers of two, diagonals of R and S; empty: all are 1
-  std::vector<Entry> entries_;        // entries of Φ_φ
+  std::vector<Entry> entries_;        // row and column of each entry of Φ_φ
   std::vector<double> scaled_;
 };
 

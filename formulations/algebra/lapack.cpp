@@ -40,7 +40,7 @@ class Lapack {
 
  private:
   int n_;
-  std::vector<double> lu_;  // by columns
+  std::vector<double> lu_;  // the matrix by columns, then its factors
   std::vector<int> pivots_;
 };
 

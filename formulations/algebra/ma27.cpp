@@ -71,8 +71,8 @@ int count(const std::vector<Number>& numbers) {
 struct Ma27Analysis {
   NormalEquations normal;
   std::vector<int> row, column;  ///< row and column of each entry, counted from 1
-  std::vector<int> order;        ///< IKEEP
-  std::vector<int> work;         ///< IW1 of any call
+  std::vector<int> order;        ///< MA27's IKEEP, the order of pivots
+  std::vector<int> work;         ///< MA27's IW1, workspace of all calls
   int steps = 0;
   double operations = 0;
   Ma27Dialogue dialogue;
@@ -158,10 +158,10 @@ class Ma27 final : public LinearSolver {
   int n_, entries_;
   std::vector<double> reals_;  // the matrix; then, with integers_, its factors
   std::vector<int> integers_;
-  std::vector<double> front_;  // no front is larger than the matrix
+  std::vector<double> front_;  // MA27's W, workspace: no front is larger than the matrix
   int max_front_ = 0;
   std::vector<double> right_;       // right-hand side, then solution
-  const double* values_ = nullptr;  // those factorised last
+  const double* values_ = nullptr;  // values of Φ_φ that were factorised last
 };
 
 }  // namespace

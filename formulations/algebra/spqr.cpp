@@ -31,7 +31,7 @@ class Spqr final : public LinearSolver {
     a_.dtype = CHOLMOD_DOUBLE;
     a_.sorted = a_.packed = 1;
     const bool reveal_rank = true;
-    std::vector<double> values(row_.size(), 1.0);  // not read
+    std::vector<double> values(row_.size(), 1.0);  // the symbolic analysis does not read them
     a_.x = values.data();
     qr_ = SuiteSparseQR_symbolic<double>(SPQR_ORDERING_DEFAULT, reveal_rank, &a_, &common_);
     if (!qr_) throw std::invalid_argument("SPQR: the Jacobian could not be analysed");
@@ -58,7 +58,7 @@ class Spqr final : public LinearSolver {
         y ? SuiteSparseQR_solve<double>(SPQR_RETX_EQUALS_B, qr_, y, &common_) : nullptr;
     if (x)
       std::copy_n(static_cast<const double*>(x->x), n_, b);
-    else  // out of memory: no number is right
+    else  // out of memory
       std::fill_n(b, n_, std::numeric_limits<double>::quiet_NaN());
     cholmod_l_free_dense(&y, &common_);
     cholmod_l_free_dense(&x, &common_);

@@ -52,8 +52,8 @@ class SumsOfProducts {
 
  private:
   struct Run {
-    int length;  // products in each sum
-    int sums;
+    int length;  // number of products in each sum
+    int sums;    // number of sums of this length
   };
   std::vector<Run> runs_;
   std::vector<int> target_;  // i of each sum cᵢ, in order of evaluation

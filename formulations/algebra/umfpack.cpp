@@ -24,7 +24,7 @@ class Umfpack final : public LinearSolver {
         index_work_(n_) {
     umfpack_di_defaults(control_);
     control_[UMFPACK_IRSTEP] = 0;  // no iterative refinement: Newton's method refines
-    control_[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;  // these matrices need none
+    control_[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;  // these matrices need no scaling
     control_[UMFPACK_FIXQ] = 1;  // fronts this small do not repay a search for better columns
     // twice the estimated memory at once, so that it need not grow
     control_[UMFPACK_ALLOC_INIT] = 2;
@@ -55,7 +55,7 @@ class Umfpack final : public LinearSolver {
   std::vector<int> start_, row_;
   std::vector<double> right_, work_;
   std::vector<int> index_work_;
-  const double* values_ = nullptr;  // those factorised last
+  const double* values_ = nullptr;  // values of Φ_φ that were factorised last
   double control_[UMFPACK_CONTROL];
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;

@@ -8,7 +8,7 @@ namespace desmo {
 
 /// A request: the results that a run is to deliver.
 struct Request {
-  Level level = Level::acceleration;  ///< highest level
+  Level level = Level::acceleration;  ///< highest level requested
   /// Coordinates to deliver, each once; empty means all. All others are unspecified.
   std::span<const int> coordinates{};
 };

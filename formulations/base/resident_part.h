@@ -20,7 +20,7 @@ struct PartOutputs {
   /// For each position in the state its place in the outputs that an observer lends, or −1. A part
   /// sets to −1 what it delivers itself. Empty: none are lent.
   std::span<int> places;
-  Level level;  ///< the highest at which anyone asks for the part's unknowns
+  Level level;  ///< highest level at which the part's unknowns are requested
 };
 
 /// The further duties of a part, such as a batch, that keeps what it finds in a layout of its own

@@ -46,6 +46,8 @@ enum class Frames {
 /// Permutation of a matrix to block triangular form by KLU, before it factorises the blocks.
 enum class BlockTriangularForm { on, off };
 
+/// Maximum values (≤) of Settings::stride [instants], Settings::threads and
+/// Settings::fixed_iterations.
 inline constexpr int max_stride = 64;
 inline constexpr int max_threads = 64;
 inline constexpr int max_fixed_iterations = 1000;

@@ -120,10 +120,11 @@ class Batch {
   LanePlaces places_;                   // the place in the state of each number of each lane
   std::vector<int> unknowns_, driven_;  // unknowns, drivers: numbers, ascending
   std::vector<int> own_;                // both unknowns and drivers, ascending
-  Gather constants_, moving_;           // numbers of other parts, read once or in every step
-  Gather undriven_;                     // driven numbers, read where no step was begun
-  Gather starts_;                       // unknowns, read where none are predicted
-  Scatter observed_, delivered_;        // numbers to write to the state, and to lent outputs
+  // numbers of other parts: constant ones, read once; others, read in every step
+  Gather constants_, moving_;
+  Gather undriven_;               // driven numbers, read in the state where no step was begun
+  Gather starts_;                 // unknowns, read in the state where none are predicted
+  Scatter observed_, delivered_;  // numbers to write to the state, and to lent outputs
   BatchState state_;
   LaneValues residuals2_;  // max_lanes values for each part
   Step step_;

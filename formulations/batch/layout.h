@@ -89,10 +89,10 @@ class Scatter {
   void scatter_range(const Range<quad>& range, const double* from, double* to) const;
   void scatter_range(const Range<1>& range, const double* from, double* to) const;
 
-  std::vector<Range<wide>> wides_;  // ranges of all used lanes, where registers hold them
-  std::vector<Range<quad>> quads_;
-  std::vector<Range<1>> singles_;  // numbers that not all of these lanes have
-  std::vector<int> offsets_;       // of each number in the first lane of its range
+  std::vector<Range<wide>> wides_;  // ranges of all used lanes, where a register holds them
+  std::vector<Range<quad>> quads_;  // ranges of four lanes
+  std::vector<Range<1>> singles_;   // ranges of one lane: numbers that other lanes lack
+  std::vector<int> offsets_;        // where each number begins, in the first lane of its range
   std::size_t lanes_ = 0, used_ = 0;
 };
 

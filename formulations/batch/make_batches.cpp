@@ -182,7 +182,7 @@ class BatchMaker {
   const Guess guess_;
   const KernelTable& table_;
   std::vector<int> range_of_;     // range of each part, by type_ends
-  std::vector<StateKind> kinds_;  // of each position in the state
+  std::vector<StateKind> kinds_;  // origin of each position in the state
   std::vector<DefinedPart> result_;
 };
 

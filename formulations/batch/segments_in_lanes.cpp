@@ -67,7 +67,7 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
 
   Summary total;
   double max_residual2 = 0;
-  for (int i = 0; i <= length; ++i) {  // up to the first instant of the next segment
+  for (int i = 0; i <= length; ++i) {  // the last one is the first instant of the next segment
     predict(grid.interval(), i);
     write_drivers(grid, length, i);
     const StepInLanes step = solve();
@@ -96,8 +96,8 @@ bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first
   for (int l = 0; l < lanes_; ++l) {
     for (const PartInLanes& part : parts_) part.members[l]->forget();
     alone_ = first;
-    if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
-    for (std::size_t k = 0; k < alone_.q.size(); ++k)    // some never move
+    if (!solve_alone(l, alone_, first.q)) return false;  // this finds the branches
+    for (std::size_t k = 0; k < alone_.q.size(); ++k)  // constant coordinates are not solved again
       state_.now().q[k * lanes_ + l] = state_.before().q[k * lanes_ + l] = alone_.q[k];
     changes_[l] = driver_changes(model_, first, grid.time(l * length));
     steps = std::max(steps, continuation_steps(model_, changes_[l]));

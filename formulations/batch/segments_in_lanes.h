@@ -74,10 +74,10 @@ class SegmentsInLanes final : public SegmentExecutor {
   std::vector<double> last_alone_;            // workspace: last positions of that lane
   std::vector<std::vector<double>> changes_;  // changes of the drivers to the start of each segment
   std::vector<int> requested_;                // position in lanes of each requested coordinate
-  std::vector<int> indices_;                  // instants for which memory is borrowed
-  std::vector<OutputView> outputs_;           // borrowed memory of each instant in indices_
-  std::size_t used_ = 0;                      // number of outputs_ used so far
-  std::vector<double> beyond_;                // receives instants after the end of the motion
+  std::vector<int> indices_;         // indices of the instants for which memory is borrowed
+  std::vector<OutputView> outputs_;  // borrowed memory of each instant in indices_
+  std::size_t used_ = 0;             // number of outputs_ used so far
+  std::vector<double> beyond_;       // receives instants after the end of the motion
 };
 
 }  // namespace desmo

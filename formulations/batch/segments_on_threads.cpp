@@ -156,7 +156,7 @@ std::optional<Summary> SegmentsOnThreads::run(const TimeGrid& grid, const Reques
       SegmentObserver own(observer, k, shared, grid, segments_[k].begin);
       solve(k, grid, request, state, own);
       own.hand_on();
-    } catch (...) {  // must not leave its thread
+    } catch (...) {  // an exception must not leave its thread
       segments_[k].error = std::current_exception();
     }
   }

@@ -47,7 +47,7 @@ void pick(const std::array<int, N>& rows, const std::array<double, N>& all, doub
 template <class Kind>
 struct ObjectsOf : AutomaticEquations::Loops {
   struct Object {
-    std::array<int, Kind::operand_sizes.size()> operands;  // positions in the state
+    std::array<int, Kind::operand_sizes.size()> operands;  // first component of each in the state
     /// The number of constants of a table is not known at compile time.
     std::conditional_t<has_table<Kind>, std::vector<double>, std::array<double, Kind::constants>>
         constants;
@@ -135,7 +135,7 @@ AutomaticEquations::AutomaticEquations(const Model& m, const PartDefinition& par
       Kind::jacobian(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
                      [&](int r, int operand, int component, double) {
                        o.slots[i++] =
-                           static_cast<int>(entries.size());  // its place in `entries`, for now
+                           static_cast<int>(entries.size());  // position in `entries`, for now
                        entries.push_back({o.rows[r], o.operands[operand] + component,
                                           m.is_at_rest(constraint.operands[operand])});
                      });

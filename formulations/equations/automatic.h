@@ -14,7 +14,7 @@ namespace desmo {
 /// their partial derivatives.
 class AutomaticEquations final : public Equations {
  public:
-  class Loops;  // over the objects of one kind
+  class Loops;  // loops over the objects of one kind
 
   AutomaticEquations(const Model& model, const PartDefinition& part);
   ~AutomaticEquations() override;

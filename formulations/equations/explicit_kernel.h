@@ -12,9 +12,9 @@ namespace desmo {
 /// Limits that a solution must satisfy.
 struct ExplicitLimits {
   double tolerance2;  ///< limit of ‖Φ‖₂² of the part's equations, each times its weight
-  double core_tolerance2;  ///< limit for a core's residuals, smaller, since later unknowns amplify
-                           ///< them
-  int max_iterations;      ///< limit of Newton–Raphson iterations on a core
+  /// limit of ‖Φ‖₂² of a core: smaller, since later unknowns amplify its error
+  double core_tolerance2;
+  int max_iterations;  ///< limit of Newton–Raphson iterations on a core
 };
 
 /// Type of a comparison of values of type T: bool, or one bool per lane.
@@ -93,13 +93,14 @@ ExplicitChainResult solve_chain(double* q, double* qd, double* qdd,
 /// have no closed form, and starts from its *torn* unknowns. Velocities and accelerations follow by
 /// differentiation.
 struct ExplicitKernel {
-  std::string_view name;                       ///< name of the group where it was first met
-  std::string_view fingerprint;                ///< PartType::fingerprint
-  std::span<const std::string_view> branches;  ///< unknown that each square root determines
-  std::span<const int> unknowns;               ///< local inputs that are written
-  std::span<const int> torn;                   ///< unknowns from which Newton–Raphson starts
-  std::span<const int> angles;                 ///< unwrapped angles, each with an anchor
-  int folded;                                  ///< number of values that depend on dimensions alone
+  std::string_view name;         ///< name of the group where it was first met
+  std::string_view fingerprint;  ///< PartType::fingerprint
+  /// name of the unknown that each square root determines
+  std::span<const std::string_view> branches;
+  std::span<const int> unknowns;  ///< local inputs that are written
+  std::span<const int> torn;      ///< unknowns from which Newton–Raphson starts
+  std::span<const int> angles;    ///< unwrapped angles, each with an anchor
+  int folded;                     ///< number of values that depend on dimensions alone
 
   /// Computes these values f from the dimensions c.
   void (*fold)(const double* c, double* f);

@@ -10,7 +10,7 @@ namespace desmo {
 bool has_lanes(int lanes) {
   if (lanes == 4) return true;  // every build has them, in narrower registers if need be
 #ifdef DESMO_WIDE_LANES
-  if (lanes == 8)  // x86-64-v4
+  if (lanes == 8)  // the instructions of x86-64-v4
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
            __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl");

@@ -22,7 +22,7 @@ struct Pattern {
   int n = 0;                         ///< number of unknowns and equations
   std::vector<int> unknowns;         ///< coordinate of each column (n)
   std::vector<int> column_start;     ///< first entry of each column, and the end (n + 1)
-  std::vector<int> row;              ///< row of each entry of Φ_φ, ascending within a column
+  std::vector<int> row;              ///< equation of each entry of Φ_φ, ascending within a column
   std::vector<JacobianEntry> known;  ///< entries of Φ_h, ordered by row
 
   int dependent_entries() const { return static_cast<int>(row.size()); }

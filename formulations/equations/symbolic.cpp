@@ -36,7 +36,8 @@ SymbolicEquations::SymbolicEquations(const Model& m, const PartDefinition& part,
     const Kernel& k = *block.bound.kernel;
     for (const auto& list : {k.constant_entries, k.dependent_entries, k.known_entries})
       for (const KernelEntry& e : list) {
-        block.slots.push_back(static_cast<int>(entries.size()));  // its place in `entries`, for now
+        // position in `entries`, replaced below
+        block.slots.push_back(static_cast<int>(entries.size()));
         entries.push_back({row + e.row, block.bound.inputs[e.input]});
       }
     row += k.rows;

@@ -101,7 +101,8 @@ std::vector<Derivation> derivations(const Model& m, const PartDefinition& part) 
 }
 
 std::vector<PartDefinition> split_outputs(const Model& m, const PartDefinition& part) {
-  std::vector<int> by(m.entities.size(), no_position);  // constraint of the part that derives it
+  // constraint of the part that derives each entity
+  std::vector<int> by(m.entities.size(), no_position);
   std::vector<EntityId> waiting;
   for (const Equation& equation : part.equations) {
     const Constraint& c = m.constraints[equation.constraint];

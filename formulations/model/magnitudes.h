@@ -47,7 +47,7 @@ class Magnitudes {
   }
 
   std::vector<int> first_row_;                // row of each constraint's first equation
-  std::vector<double> magnitude_, rounding_;  // of each row
+  std::vector<double> magnitude_, rounding_;  // of each row of a constraint
   std::vector<double> of_coordinate_;
 };
 

@@ -26,12 +26,13 @@ Misfit misfit_of(const Model& m, int constraint, int row, double residual,
   Misfit result{constraint, 0, false};
   visit_kind(c.kind, [&]<class Kind>(Kind) {
     const auto x = operands_of<Kind>(m, c, state.data());
-    std::array<double, Kind::operand_sizes.size()> slope{};  // norm of the slopes by each operand
+    // norm of the derivatives by each operand
+    std::array<double, Kind::operand_sizes.size()> slope{};
     Kind::jacobian(x.data(), dimensions_at<Kind>(c, x.data()).data(),
                    [&](int r, int operand, int, double value) {
                      if (r == row) slope[operand] = std::hypot(slope[operand], value);
                    });
-    double steepest[2] = {0, 0};  // largest slopes: by other operands, by lengths
+    double steepest[2] = {0, 0};  // largest slope: [0] by other operands, [1] by lengths
     for (std::size_t k = 0; k < x.size(); ++k) {
       double& most = steepest[is_length(m.entities[c.operands[k]].kind)];
       most = std::max(most, slope[k]);

@@ -20,7 +20,7 @@ using GroupId = int;   ///< position in Model::groups
 /// known.
 inline constexpr int no_position = -1;
 
-/// Kinds of entities.
+/// Kinds of entities. An orientation is four Euler parameters.
 enum class EntityKind { point, vector, angle, distance, orientation };
 /// Returns the letters of components in names: "xyz", or "0123" of an orientation.
 std::string_view component_letters(EntityKind kind);

@@ -25,8 +25,8 @@ struct ScalarState {
 template <class S>
 struct PartSystem {
   std::size_t n;
-  std::vector<S> jacobian;  ///< Φ_φ (n × n), by rows
-  std::vector<S> phi;
+  std::vector<S> jacobian;      ///< Φ_φ (n × n), by rows
+  std::vector<S> phi;           ///< Φ
   std::vector<S> velocity;      ///< −Φ_h ḣ
   std::vector<S> acceleration;  ///< −Φ_h ḧ − Φ̇_q q̇
 

@@ -94,7 +94,7 @@ class Upstream {
   std::vector<std::optional<Level>> block_level;
   std::vector<std::optional<Level>> entity_level;
   std::vector<bool> constraint_kept;
-  std::vector<EntityId> serves;  // the first requested entity that needs each; -1: none
+  std::vector<EntityId> serves;  // entity for which each was first needed; -1: none
 
  private:
   void need(EntityId id, Level level, EntityId for_whom) {
@@ -107,7 +107,7 @@ class Upstream {
   }
 
   const Model& m_;
-  std::vector<bool> has_unknowns_, group_needed_;  // by group
+  std::vector<bool> has_unknowns_, group_needed_;  // for each group
   std::vector<EntityId> owner_;
   std::vector<int> block_of_coordinate_;  // block that solves each coordinate; -1: it is driven
   std::vector<std::vector<int>> blocks_of_constraint_;

@@ -35,7 +35,7 @@ class DenseOutput final : public Observer {
  private:
   /// Weights of the values at both ends of an interval.
   struct Weights {
-    double q0, change, v0, v1, a0, a1;  // of q₀, q₁ − q₀, q̇₀, q̇₁, q̈₀, q̈₁
+    double q0, change, v0, v1, a0, a1;  // weights of q₀, q₁ − q₀, q̇₀, q̇₁, q̈₀, q̈₁
   };
 
   static Weights of_position(double s, double h);

@@ -89,7 +89,7 @@ std::optional<Summary> TimeStepping::solve_segments(const TimeGrid& grid, const 
                                          : executor_->run(grid, {request.level}, ended_, *buffer);
   if (!total && at_once) observer.restart();
   if (!total || total->stopped) return total;
-  now_.state = ended_;  // steps go on from here
+  now_.state = ended_;  // later steps start from here
   forget_steps();
   now_.time = grid.time(grid.instants - 1);
   now_.level = request.level;

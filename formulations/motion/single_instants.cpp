@@ -106,7 +106,7 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   if (!assembled_) return false;
   now_.time = t;
   last.q = state.q;
-  drivers_.sample(t, state);  // exactly, as a step samples them
+  drivers_.sample(t, state);  // the exact values, as in a step
   assembled_ = sequence_.solve_positions(state, last.q);
   sequence_.end_assembly();
   return assembled_;

@@ -38,7 +38,7 @@ void TimeStepping::prepare() {
 }
 
 void TimeStepping::do_solve_only(std::span<const Level> needed) {
-  if (settings().stride > 1) return;  // interpolation takes all levels
+  if (settings().stride > 1) return;  // interpolation needs all levels
   if (executor_) executor_->solve_only(needed);
   sequence_.solve_only(needed);
   prepare();
@@ -105,10 +105,11 @@ Summary TimeStepping::solve_at(double t, Level level) {
   std::swap(now_, before_);
   State& state = now_.state;
   const State& last = before_.state;
-  const MotionRow& row = drivers_.sample(t, state);  // z, ż, z̈
+  const MotionRow& row = drivers_.sample(t, state);  // the drivers: z, ż, z̈
   predict_(history, last, state, state);
   sequence_.begin_step(history, row);
-  const PartSequence::Result result = sequence_.solve_moving(state, last.q, level);  // in order
+  // the parts in order
+  const PartSequence::Result result = sequence_.solve_moving(state, last.q, level);
   Summary summary = result.summary(t);
   now_.time = t;
   now_.level = level;

@@ -121,7 +121,7 @@ class TimeStepping final : public Formulation {
   Failure failure_;
   bool assembled_ = false;  // now_ has positions at its time, whatever is known of rates
   std::unique_ptr<SegmentExecutor> executor_;
-  State ended_;  // the instant where the executor ended
+  State ended_;  // the last instant that the executor solved
   long runs_without_segments_ = 0;
 };
 

@@ -40,7 +40,7 @@ class InlinedPart final : public Part {
   std::unique_ptr<Part> fallback_;
   std::vector<int> unknowns_;
   std::vector<double> start_;                  // unknowns at the start of the step
-  long fallbacks_ = 0, fallbacks_before_ = 0;  // before_: at the last forget()
+  long fallbacks_ = 0, fallbacks_before_ = 0;  // now, and at the last forget()
 };
 
 }  // namespace desmo

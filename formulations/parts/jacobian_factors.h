@@ -116,7 +116,7 @@ class JacobianFactors {
     none,
     by_old_factors,
     by_new_factors
-  };  // none: the position has had no correction yet
+  };  // none: no correction since begin_position() or give_up()
 
   /// Returns whether break_even_solves_ more corrections at the last one's rate would meet the
   /// tolerance.

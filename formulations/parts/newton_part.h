@@ -24,7 +24,7 @@ struct PartContext {
   /// Settings of the analysis, for the linear solver. The tolerance among them is not the part's.
   const Settings& analysis;
   PartSettings settings;
-  Profile* profile = nullptr;        ///< receives the phases; null in timed code
+  Profile* profile = nullptr;        ///< receives the times of phases; null: nothing is measured
   std::vector<double> magnitudes{};  ///< of each unknown; empty: all are 1
 };
 

@@ -74,7 +74,7 @@ void Extrapolation::operator()(std::span<const IndexRange> ranges, const States&
         q[range.first] = expected(range.first);
         continue;
       }
-#pragma GCC ivdep  // q is another array than those read, or the same at the same place
+#pragma GCC ivdep  // q overlaps no array that is read, or is one of them
       for (int i = range.first; i < range.end; ++i) q[i] = expected(i);
     }
   };
@@ -94,7 +94,7 @@ void Extrapolation::operator()(std::span<const IndexRange> ranges, const States&
                w_a0 * a0[i];
       });
     case Guess::adams8:
-      return;  // needs more instants: see RateHistory
+      return;  // it needs more instants: see RateHistory
   }
 }
 

@@ -102,7 +102,7 @@ void RateHistory::write_predicted(const Change& change, const double* last, doub
 /// All changes are computed first, in a loop that fits wide registers.
 template <>
 void RateHistory::write_predicted<1>(const Change& change, const double* last, double* q) {
-#pragma GCC ivdep  // they are another array than the rates
+#pragma GCC ivdep  // changes_ does not overlap the rates
   for (std::size_t n = 0; n < changes_.size(); ++n) changes_[n] = change(n);
   for (std::size_t n = 0; n < blocks_.size(); ++n) q[blocks_[n]] = last[blocks_[n]] + changes_[n];
 }
@@ -110,7 +110,7 @@ void RateHistory::write_predicted<1>(const Change& change, const double* last, d
 bool RateHistory::predict(double interval, double h, const double* last, const double* qd,
                           const double* qdd, double* q) {
   known_ = std::min(known_ + 1, instants);
-  newest_ = (newest_ + 1) % instants;  // in the place of the oldest
+  newest_ = (newest_ + 1) % instants;  // the last instant takes the place of the oldest
   for (std::size_t j = intervals_.size() - 1; j > 0; --j) intervals_[j] = intervals_[j - 1];
   intervals_[0] = interval;
   const bool predicts =

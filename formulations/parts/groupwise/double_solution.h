@@ -20,7 +20,7 @@ std::vector<ReferenceInstant> double_solution(const Model& model, std::span<cons
 /// Calls step(t) to follow the motion, and arrive(t) at each of the times.
 template <class Step, class Arrive>
 void follow_motion(std::span<const double> times, Step&& step, Arrive&& arrive) {
-  constexpr double max_step = 0.01;
+  constexpr double max_step = 0.01;  // [s]
   double t = times.empty() ? 0 : times.front();
   for (const double target : times) {
     const int steps = std::max(1, static_cast<int>(std::ceil((target - t) / max_step - 1e-9)));

@@ -110,16 +110,17 @@ class DrawnStart {
         if (correction <= settled) return true;
         limit = correction / 4;
       }
-    } catch (const std::runtime_error&) {  // singular
+    } catch (const std::runtime_error&) {  // the Jacobian is singular
     }
     return false;
   }
 
   const Model& m_;
   Solver solver_;
-  const std::vector<bool> coupled_;       // see coupled_angles()
-  std::vector<double> drawn_, to_, way_;  // of each driver: drawn, first, first − drawn
-  double farthest_ = 0;                   // largest |way_|, relative to nominal magnitudes
+  const std::vector<bool> coupled_;  // see coupled_angles()
+  // of each driver: drawn value, first value, change to make
+  std::vector<double> drawn_, to_, way_;
+  double farthest_ = 0;  // largest |change|, relative to nominal magnitudes
 };
 
 /// Puts a solver that is at the model's estimate where Newton's method is to begin at a time [s].

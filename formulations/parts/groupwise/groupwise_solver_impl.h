@@ -37,7 +37,7 @@ double GroupwiseSolver<S>::correct_positions() {
   double largest = 0;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     const double correction = correct(part);
-    if (!(correction <= largest)) largest = correction;  // NaN stays
+    if (!(correction <= largest)) largest = correction;  // NaN is kept
   }
   return largest;
 }

@@ -72,7 +72,7 @@ class ReferenceSolver {
       const int i = unknowns[j];
       values[i] -= step[j];
       const double relative_step = std::abs(static_cast<double>(step[j])) / magnitude_[i];
-      if (!(relative_step <= largest)) largest = relative_step;  // NaN stays
+      if (!(relative_step <= largest)) largest = relative_step;  // NaN is kept
     }
     return largest;
   }
@@ -86,7 +86,7 @@ class ReferenceSolver {
     return {values.begin(), values.begin() + m_.coordinates()};
   }
 
-  std::vector<double> magnitude_;  // of each coordinate
+  std::vector<double> magnitude_;  // nominal magnitude of each coordinate
 };
 
 }  // namespace desmo
