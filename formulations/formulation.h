@@ -41,8 +41,8 @@ class Formulation {
   /// Assembles the mechanism at time t [s] from the model's estimate; forgets what was solved
   /// before. level: the highest that is solved. After a failure all coordinates are unspecified,
   /// and the next step assembles. Neither this nor step() throws, unless memory runs out. A step
-  /// that follows this or another step, and succeeds without sub-steps, takes no memory from the
-  /// heap; a library inside may take some.
+  /// after this or another step that succeeds without sub-steps takes no memory from the heap. A
+  /// library inside may take some.
   Summary assemble(double t, Level level = Level::acceleration) { return do_assemble(t, level); }
 
   /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
@@ -56,8 +56,8 @@ class Formulation {
   /// Runs through the motion that the model's drivers have: assembles at the first instant of the
   /// grid, solves the others as the settings say, and hands each to the observer. Stops at the
   /// first failure, after it handed on all that it solved, or where the observer says so. A run
-  /// that the observer stops leaves the formulation at the last instant handed on; with segments,
-  /// threads or a stride, at an unspecified one. Throws std::invalid_argument for a request that
+  /// that the observer stops leaves the formulation at the last instant handed on. With segments,
+  /// threads or a stride it is an unspecified one. Throws std::invalid_argument for a request that
   /// names a coordinate twice or one that does not exist.
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
 
@@ -76,9 +76,9 @@ class Formulation {
   const Settings& settings() const { return settings_; }
 
   /// Returns the limit of ‖Φ‖₂ of the whole mechanism, relative like Settings::tolerance, that
-  /// every solved instant meets. It is the settings' tolerance or, if larger, the rounding floor of
-  /// the parts, as with many bodies in a row and far from the origin. With
-  /// Settings::fixed_iterations instants need not meet it.
+  /// every solved instant meets. It is the settings' tolerance or, if larger, what rounding leaves:
+  /// with many bodies in a row, or far from the origin. With Settings::fixed_iterations instants
+  /// need not meet it.
   double tolerance() const { return tolerance_; }
 
   /// Return the instant solved last, in coordinate order (Model::coordinates() values). Before the
@@ -108,8 +108,8 @@ class Formulation {
   double tolerance_;
 };
 
-/// Returns status and residual as a text; on success also the numbers of instants and iterations,
-/// on failure the time and, if known, group and constraint.
+/// Returns status and residual as a text. On success it adds the numbers of instants and
+/// iterations, on failure the time and, if known, group and constraint.
 std::string describe(const Summary& summary, const Model& model);
 
 }  // namespace desmo

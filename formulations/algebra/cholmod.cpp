@@ -28,8 +28,8 @@ cholmod_sparse view(NormalEquations& normal) {
   return a;
 }
 
-/// A form of the normal equations with an order of its columns, and the number of operations that
-/// CHOLMOD counts for the factorisation.
+/// A form of the normal equations with an order of its columns. operations: what CHOLMOD counts for
+/// the factorisation.
 struct Choice {
   NormalForm form;
   std::vector<int> order;

@@ -29,8 +29,8 @@ class OutputWriter {
   /// Copies the requested coordinates of an instant to the instant's output. The instant's spans
   /// then view the output. On entry they view all coordinates.
   void write(Instant& instant) const;
-  /// Hands an instant to an observer: the requested coordinates in memory that the observer lends
-  /// or, where it lends none, all coordinates in the instant's own memory.
+  /// Hands an instant to an observer: the requested coordinates in memory that the observer lends.
+  /// Where it lends none, hands over all coordinates in the instant's own memory.
   Flow hand_over(const Instant& instant, Observer& observer) const;
 
  private:

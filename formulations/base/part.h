@@ -57,8 +57,8 @@ struct PartCounts {
   /// - linear solvers that reuse pivots: new choices of the order after the first
   /// - generated code: its fallbacks
   long refactorisations = 0;
-  /// Number of steps that generated code left to a pivoting part: a pivot, a divisor or a square
-  /// root was too small, or the equations were not satisfied.
+  /// Number of steps that generated code left to a pivoting part. Either a pivot, a divisor or a
+  /// square root was too small, or the equations were not satisfied.
   long fallbacks = 0;
   /// Number of fallbacks that ended on another branch than the step before, where the part can
   /// tell.

@@ -63,7 +63,7 @@ struct Settings {
   int max_iterations = 25;
   Guess guess = Guess::previous;
   /// 0: iterate until the tolerance is met. 1 … max_fixed_iterations: this number of iterations of
-  /// each part in a step, whatever ‖Φ‖₂ is, so that a step's work does not depend on rounding. An
+  /// each part in a step, whatever ‖Φ‖₂ is. A step's work then does not depend on rounding. An
   /// assembly repeats them until the tolerance is met, at most max_iterations times.
   int fixed_iterations = 0;
   JacobianUpdate jacobian = JacobianUpdate::newton;

@@ -18,8 +18,8 @@ Members members_of(const Subsystem& subsystem) {
   return members;
 }
 
-/// Returns the positions in the state that the parts of a subsystem read or write, ascending:
-/// components of an entity then follow each other.
+/// Returns the positions in the state that the parts of a subsystem read or write, ascending.
+/// Components of an entity then follow each other.
 std::vector<int> places_of(std::span<const ExplicitPart* const> subsystem) {
   std::set<int> states;
   for (const ExplicitPart* const part : subsystem)
@@ -27,8 +27,8 @@ std::vector<int> places_of(std::span<const ExplicitPart* const> subsystem) {
   return {states.begin(), states.end()};
 }
 
-/// Returns, for each position in the state that the first subsystem uses, the position that another
-/// one uses instead; nothing where it would use two.
+/// Returns for each position in the state that the first subsystem uses the one that another
+/// subsystem uses instead. Returns nothing where that would use two.
 std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> other,
                                           std::span<const ExplicitPart* const> first,
                                           std::span<const int> states) {
@@ -113,7 +113,7 @@ std::vector<int> Batch::drivers() const {
   return all;
 }
 
-/// Returns the positions in the state of all numbers but unknowns and drivers: subsystems that are
+/// Returns the positions in the state of all numbers but unknowns and drivers. Subsystems that are
 /// solved alone read more than kernels do.
 std::vector<int> Batch::reads() const {
   std::vector<int> all;

@@ -78,8 +78,8 @@ class BatchState {
   LaneState& before() { return *before_; }
   const LaneState& before() const { return *before_; }
 
-  /// Leaves the last instant in before() and writes to now() the positions that solvers start from;
-  /// the rest of now() is of the instant before that.
+  /// Leaves the last instant in before() and writes to now() the positions that solvers start from.
+  /// The rest of now() is of the instant before the last.
   void predict(const StepHistory& history) {
     std::swap(now_, before_);
     if (!predictor_.empty()) predictor_(history, *before_, *now_, now_->q.data());

@@ -19,13 +19,13 @@ struct LaneCopy {
 /// Writes to[l][k] = from[offsets[k] + l] for eight lanes. from: begins a cache line; offsets:
 /// multiples of eight. Call it only where has_lanes(wide) is true.
 void unpack_wide(const double* from, std::span<const int> offsets, std::span<double* const> to);
-/// Does the same for several arrays and for one to eight lanes, one for each place: lane l is
+/// Does the same for several arrays and for one to eight lanes, one for each place. Lane l is
 /// written from to[places[l]] on.
 void unpack_wide(std::span<const LaneCopy> copies, std::span<const int> offsets,
                  std::span<const int> places);
 
-/// Number of lanes that are gathered or scattered at a time where wider registers gain nothing:
-/// that of a register of 256 bits.
+/// Number of lanes in a register of 256 bits. So many are gathered or scattered at a time where
+/// wider registers gain nothing.
 inline constexpr int quad = 4;
 
 /// Writes to[l][n] = from[offsets[n] + l] for as many lanes as there are arrays, four or eight.

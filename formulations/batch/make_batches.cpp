@@ -152,8 +152,8 @@ class BatchMaker {
     result_.push_back(std::move(all));
   }
 
-  /// Returns constant parts, the parts in result_, then the other parts: those of one range in
-  /// batches where there is code for lanes, the rest one by one.
+  /// Returns constant parts, the parts in result_, then the other parts. The parts of a range are
+  /// joined in batches where there is code for lanes, and stay single elsewhere.
   std::vector<DefinedPart> by_types(const Positions& left) {
     std::vector<DefinedPart> subsystems = std::exchange(result_, {});
     for (auto first = left.begin(); first != left.end();) {

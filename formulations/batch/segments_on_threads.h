@@ -11,7 +11,7 @@
 namespace desmo {
 
 /// Solves equal segments of a motion, each on a thread of its own. The cut depends on the motion's
-/// work and the settings alone, not on how many processors there are or how busy they are.
+/// work and the settings alone, not on the number of processors or their load.
 class SegmentsOnThreads final : public SegmentExecutor {
  public:
   /// workers: one for each thread, alike, of the model whose motion is solved; they share only what

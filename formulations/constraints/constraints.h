@@ -81,8 +81,8 @@ inline constexpr bool has_table = requires {
   Kind::table;
 };
 
-/// Returns the constants that the functions of a kind take at x, from the numbers of a constraint:
-/// these numbers themselves, except for kinds that read a table. The result has data().
+/// Returns the constants that the functions of a kind take at x, from the numbers of a constraint.
+/// They are these numbers themselves, except for kinds that read a table. The result has data().
 template <class Kind, class S>
 auto constants_at(const S* numbers, const S* const* x) {
   if constexpr (has_table<Kind>)

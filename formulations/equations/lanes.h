@@ -12,7 +12,7 @@
 #endif
 #if DESMO_LANES > 4
 // Code for wide registers begins at a page. Moved by less than a cache line it may take a third
-// longer, so its position must not depend on what is linked before it.
+// longer. So its position must not depend on what is linked before it.
 asm(".text\n.balign 4096");
 #endif
 

@@ -24,7 +24,7 @@ class CharacteristicLengths {
 
   /// Returns the length of a point or a distance: the largest distance between two points of a
   /// constraint on it, or the largest distance coordinate of such a constraint. A distance
-  /// coordinate counts as nominal_size() at most where its constraint does not join points: it may
+  /// coordinate counts as nominal_size() at most where its constraint does not join points. It may
   /// only tell where the origin is. When all are zero, returns the largest length of its group,
   /// else of the mechanism, else 1.
   double of(EntityId entity) const;

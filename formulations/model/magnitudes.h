@@ -15,12 +15,12 @@ namespace desmo {
 /// The magnitude of a coordinate is 1 for a vector or an angle. For a point or a distance it is the
 /// characteristic length of the constraint (characteristic_lengths.h).
 ///
-/// The magnitude of an equation is the Euclidean norm of ∂Φ/∂qⱼ · magnitude of qⱼ over all its
-/// coordinates at the nominal position. Rotations of the coordinate system do not change it. It is
-/// at least a thousandth of the second-order change that displacements by these magnitudes make,
-/// for a distance may start at zero. It is 1 where both vanish. It is positive and finite. When all
-/// lengths grow by a factor λ, it grows by λ for equations in lengths, by λ² for products of
-/// lengths.
+/// The magnitude of an equation is the Euclidean norm of ∂Φ/∂qⱼ · magnitude of qⱼ over its
+/// coordinates, at the nominal position. Rotations of the coordinate system do not change it. A
+/// distance may start at zero. So it is at least a thousandth of the second-order change that
+/// displacements by these magnitudes make. It is 1 where both vanish. It is positive and finite.
+/// When all lengths grow by a factor λ, it grows by λ for equations in lengths, by λ² for products
+/// of lengths.
 class Magnitudes {
  public:
   explicit Magnitudes(const Model& model);
@@ -30,8 +30,8 @@ class Magnitudes {
   /// Returns 1/magnitude of each equation of a part.
   std::vector<double> weights(const PartDefinition& part) const;
 
-  /// Returns the rounding floor of a part: a bound on ‖Φ‖₂, each equation divided by its magnitude,
-  /// of positions rounded to double precision. Newton's method gets no further. An equation
+  /// Returns the rounding floor of a part: ‖Φ‖₂, each equation divided by its magnitude, that
+  /// rounding positions to double precision may leave. Newton's method gets no further. An equation
   /// contributes u Σⱼ |∂Φ/∂qⱼ| |qⱼ| with u = 2⁻⁵³, where |qⱼ| includes one characteristic length of
   /// motion. The floor grows with the distance from the origin, where coordinates are rounded more
   /// coarsely.

@@ -23,8 +23,8 @@ struct Misfit {
 std::vector<double> residual_of(const Model& model, const Constraint& constraint,
                                 std::span<const double> state);
 
-/// Returns the misfit of an equation: |Φ| divided by its steepest slope with respect to a length
-/// or, where it has none, to any operand.
+/// Returns the misfit of an equation: |Φ| divided by the steepest slope by a length. Where it has
+/// no length, the steepest slope by any operand counts.
 /// - constraint, row: the equation
 /// - residual: Φ
 /// - state: where the slopes are taken (state_size)

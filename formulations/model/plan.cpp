@@ -126,8 +126,8 @@ Members needed_members(const Model& whole, const Upstream& up) {
   return needed;
 }
 
-/// Returns whether the Jacobian of a block by its unknowns is the same at the estimate and at one
-/// other position of these.
+/// Returns whether the Jacobian of a block by its unknowns is the same at the estimate and at
+/// another position.
 bool is_linear(const Model& m, const PartDefinition& block, ScalarState<double>& drawn) {
   const std::vector<double> before = PartSystem<double>(m, block, drawn).jacobian;
   for (std::size_t k = 0; k < block.unknowns.size(); ++k) drawn.q[block.unknowns[k]] += k + 1;

@@ -23,8 +23,8 @@ struct Plan {
     int unknowns = 0, kept_unknowns = 0;  ///< unknowns of the group, and those still solved for
     int blocks = 0, kept_blocks = 0;  ///< irreducible blocks of the group, and those still solved
     Level level = Level::position;    ///< highest level that is needed of it
-    /// True where a dropped block may have no solution although the kept ones have one, or where a
-    /// dropped equation between constants may not hold.
+    /// True where a dropped block may have no solution although the kept ones have one. True also
+    /// where a dropped equation between constants may not hold.
     bool may_lock = false;
     std::vector<std::string> kept, dropped;  ///< names of its kept and dropped entities
     /// Name of the entity, usually an output, that needs the first kept entity that is no output.

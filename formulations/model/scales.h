@@ -14,9 +14,9 @@ namespace desmo {
 bool is_length(EntityKind kind);
 
 /// Returns the size of a mechanism in its unit of length: the diagonal of the axis-parallel box
-/// around all points in the nominal position or, where that is larger, the nominal value of a
-/// distance coordinate between points. How far the points are from the origin does not matter.
-/// Returns 1 where this size is 0.
+/// around all points in the nominal position. A larger nominal value of a distance coordinate
+/// between points replaces it. How far the points are from the origin does not matter. Returns 1
+/// where this size is 0.
 double nominal_size(const Model& model);
 
 /// Returns the nominal magnitude of each coordinate: the nominal size for points and distances, 1

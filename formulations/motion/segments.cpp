@@ -13,8 +13,8 @@ namespace desmo {
 
 namespace {
 
-/// Maximum difference of segments that meet (≤): of points and distances, relative to the largest
-/// of their components; of other coordinates, absolute [1] or [rad].
+/// Maximum difference of segments that meet (≤). For points and distances it is relative to the
+/// largest of their components. For other coordinates it is absolute, [1] or [rad].
 constexpr double max_difference = 1e-6;
 
 /// An observer that keeps the instants of a motion, for one that needs them in order or lends no

@@ -39,7 +39,7 @@ class TimeStepping final : public Formulation {
   /// Returns false where the position cannot be reached; the next step then assembles.
   bool start_at(std::span<const double> q, double t);
 
-  /// Runs like run() without a stride, from the position that start_at() reached; returns nothing
+  /// Runs like run() without a stride, from the position that start_at() reached. Returns nothing
   /// where an instant could not be solved or segments do not meet. All that the observer was given
   /// is then void.
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request, Observer& observer);

@@ -32,7 +32,7 @@ struct LinearisedFrames {
 };
 
 /// Newton iterations on x, the unknowns of a part that are not derived. Derivations are explicit in
-/// the unknowns y that they derive, and are evaluated in their order: each reads x and the y
+/// the unknowns y that they derive. They are evaluated in their order: each reads x and the y
 /// derived before. Newton's method then solves
 ///
 ///   Φ_c(x, y(x)) = 0,     with the Jacobian A_r = C_x − C_y D_y⁻¹ D_x (see Condensed).

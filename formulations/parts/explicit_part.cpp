@@ -99,10 +99,10 @@ PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level lev
   return {Status::solved, r.iterations, r.residual2};
 }
 
-/// Moves the known coordinates from the last position to the present one in `steps` equal steps,
-/// and the torn unknowns by their rates (Euler's method). The velocity of a known coordinate is its
-/// whole change, so that the way takes a unit of time. Returns whether the code accepts the
-/// position at the beginning of each step.
+/// Moves the known coordinates from the last position to the present one in equal steps, and the
+/// torn unknowns by their rates (Euler's method). The velocity of a known coordinate is its whole
+/// change, so that the way takes a unit of time. Returns whether the code accepts the position at
+/// the beginning of each step.
 bool ExplicitPart::continue_torn(State& s, std::span<const double> last, int steps) {
   for (std::size_t i = 0; i < known_.size(); ++i) {
     const int k = known_[i];

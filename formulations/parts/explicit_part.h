@@ -14,9 +14,9 @@ namespace desmo {
 /// after forget() from the last positions, iterating on the original equations. The signs of the
 /// square roots there are the assembly branch, which later steps keep. The code refuses a step
 /// where a root or a divisor is too small or the original equations are not satisfied. The step is
-/// then tried again with torn unknowns that are continued from the last position, since a square
-/// root may have no value at the prediction. If it is refused again, `fallback` solves it from the
-/// last position, and the branches are those of its solution.
+/// then tried again with torn unknowns continued from the last position: at the prediction a square
+/// root may have no value. If it is refused again, `fallback` solves it from the last position, and
+/// the branches are those of its solution.
 class ExplicitPart final : public Part {
  public:
   /// bound: inputs and dimensions of the part, also those of `kernel`. weights: 1/magnitude of

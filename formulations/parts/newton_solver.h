@@ -37,7 +37,7 @@ class Acceptance {
 /// A part solved by Newton–Raphson on its equations (paper, Fig. 2b), for every way of evaluating
 /// equations and of solving linear systems. JacobianFactors decides when Φ_φ is factorised. While
 /// iterations are left, a correction by old factors is taken back unless it made ‖Φ‖ smaller or met
-/// the tolerance; one that led to NaN is taken back, too.
+/// the tolerance. One that led to NaN is taken back, too.
 ///
 /// A step that fails is tried a second time, from the same prediction, where factors or a pivot
 /// order may have been old. The second attempt discards both and factorises in every iteration.

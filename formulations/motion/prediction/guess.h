@@ -17,8 +17,8 @@ std::string_view guess_name(Guess guess);
 /// Returns the names of all guesses, in the order of Guess.
 std::vector<std::string_view> guess_names();
 
-/// Limit of the ratio of a step to the one before it (<), at and above which earlier instants do
-/// not predict it. At 4 the quintic magnifies errors of their positions 10,000 times, and at 10 a
+/// Limit of the ratio of a step to the one before it (<). At and above it, earlier instants do not
+/// predict the step. At 4 the quintic magnifies errors of their positions 10,000 times, and at 10 a
 /// million times.
 inline constexpr double max_step_growth = 4;
 

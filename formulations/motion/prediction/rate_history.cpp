@@ -128,8 +128,8 @@ bool RateHistory::predict(double interval, double h, const double* last, const d
   return predicts;
 }
 
-/// Computes the weights for a step of h [s]: the integrals over the step of Hermite's basis at the
-/// instants x_j, in units of h. With Lagrange's ℓ_j:
+/// Computes the weights for a step of h [s]. They are the integrals over the step of Hermite's
+/// basis at the instants x_j, in units of h. With Lagrange's ℓ_j:
 ///   β_j = ∫ (1 − 2 ℓ_j′(x_j) (x − x_j)) ℓ_j², γ_j = ∫ (x − x_j) ℓ_j².
 /// Returns false where intervals have different signs or one is too short (max_step_growth).
 bool RateHistory::weigh(double h) {

@@ -15,10 +15,10 @@
 namespace desmo {
 
 /// Assembly of a solution at its first instant, on the branch that the model's estimate, the
-/// drawing, declares. Short steps lead there: first by Newton's homotopy Φ = (1 − λ) Φ(drawing)
-/// with the drivers as drawn, then with drivers that move linearly to their first values. A step is
-/// accepted if Newton's method contracts from its prediction at once; otherwise it is halved.
-/// Solver: a solver of all positions in double, such as GroupwiseSolver<double>.
+/// drawing, declares. Short steps lead there. The first ones follow Newton's homotopy Φ = (1 − λ)
+/// Φ(drawing) with the drivers as drawn. In the others, drivers move linearly to their first
+/// values. A step is accepted if Newton's method contracts from its prediction at once; otherwise
+/// it is halved. Solver: a solver of all positions in double, such as GroupwiseSolver<double>.
 template <class Solver>
 class DrawnStart {
  public:
@@ -63,8 +63,8 @@ class DrawnStart {
 
  private:
   static constexpr double turn = 2 * std::numbers::pi;
-  /// Maximum change of a driver in a step, and of a coordinate by the first correction of the
-  /// prediction (≤), relative to nominal magnitudes.
+  /// Maximum change (≤) of a driver in a step, and of a coordinate by the first correction,
+  /// relative to nominal magnitudes.
   static constexpr double max_change = 0.1;
   // turns of a driver; more are left out, unless turns count
   static constexpr double max_turns = 4;
@@ -99,8 +99,8 @@ class DrawnStart {
     return true;
   }
 
-  /// Returns whether the first correction is at most max_change and each other one at most a
-  /// quarter of the one before, until one is at most `settled`.
+  /// Returns whether the corrections contract until one is at most `settled`: the first is at most
+  /// max_change, each other one at most a quarter of the one before.
   bool contracts() {
     double limit = max_change;
     try {
@@ -124,8 +124,8 @@ class DrawnStart {
 };
 
 /// Puts a solver that is at the model's estimate where Newton's method is to begin at a time [s].
-/// That is the estimate itself where Newton's method leads from it to the end of DrawnStart's short
-/// steps, or where these are blocked. Otherwise it is the end of the short steps.
+/// That is the estimate itself where Newton's method leads from it to the end of the short steps
+/// (DrawnStart), or these are blocked. Otherwise it is the end of the short steps.
 template <class Solver>
 void begin_on_drawn_branch(Solver& solver, const Model& m, double time) {
   std::vector<double> drivers;

@@ -12,7 +12,7 @@
 
 namespace desmo {
 
-/// The base of solvers of reference solutions: the instant of a whole model, in the scalar S, with
+/// The base of solvers of reference solutions: an instant of a whole model in the scalar S, and
 /// functions to set and read it. Derived classes evaluate and solve the equations, so that two
 /// solvers that check each other share no more than this.
 template <class S>
