@@ -40,8 +40,8 @@ class Formulation {
 
   /// Assembles the mechanism at time t [s] from the model's estimate; forgets what was solved
   /// before. level: the highest that is solved. After a failure all coordinates are unspecified,
-  /// and the next step assembles. Neither this nor step() throws, unless memory runs out. A step
-  /// after this or another step that succeeds without sub-steps takes no memory from the heap. A
+  /// and the next step assembles. Neither this nor step() throws, unless memory runs out. After
+  /// this or another step, a step that succeeds without sub-steps takes no memory from the heap. A
   /// library inside may take some.
   Summary assemble(double t, Level level = Level::acceleration) { return do_assemble(t, level); }
 

@@ -51,7 +51,8 @@ struct PartResult {
   double residual2 = 0;  ///< ‖Φ‖₂² at the end, each equation divided by its magnitude
 };
 
-/// Counts of what a part met so far. InlinedPart leaves out assemblies, which start from estimates.
+/// Counts of what a part met so far. InlinedPart leaves out completed assemblies, which may start
+/// far from a solution.
 struct PartCounts {
   /// Number of times a pivot order that is meant to last was chosen anew:
   /// - linear solvers that reuse pivots: new choices of the order after the first
@@ -117,8 +118,8 @@ class Part {
   /// Returns what the part counted in all its steps.
   virtual PartCounts counts() const { return {}; }
 
-  /// Discards what earlier steps left in the part. Until end_assembly(), solve() starts from an
-  /// estimate.
+  /// Discards what earlier steps left in the part. Each solve() until end_assembly() is part of an
+  /// assembly.
   virtual void forget() {}
   /// Tells that the assembly that began with forget() is over: each later solve() is a step.
   virtual void end_assembly() {}

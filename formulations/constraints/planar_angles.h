@@ -130,7 +130,7 @@ struct AngleOperands {
       between == Between::vector_and_line || between >= Between::line_and_line;
   static constexpr DirectionOf form_of_d = of_line ? DirectionOf::line : DirectionOf::vector;
   static constexpr DirectionOf form_of_e = from_line ? DirectionOf::line : DirectionOf::vector;
-  /// Indices of the first operand of e that is none of d, and of θ.
+  /// Indices among the operands: the first of e that d does not share, and θ.
   static constexpr int first_of_e = direction_operands<form_of_d>;
   static constexpr int theta = first_of_e + (from_line && !at_point ? 2 : 1);
   static constexpr auto operand_sizes = sizes_and_scalar<theta>(2);

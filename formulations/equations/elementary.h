@@ -85,8 +85,8 @@ DESMO_INLINE SineCosine<T> sine_cosine(const T& far_or_near) {
   using std::abs, std::floor, std::nearbyint;
   const T none = std::numeric_limits<double>::quiet_NaN();
   const T x = select<T>(abs(far_or_near) < max_reduced, far_or_near, none);
-  // Half turns, and what remains, within ±π/2: π in three parts, of which the first two leave room
-  // for the product with the half turns.
+  // Takes n half turns off, which leaves `rest` within ±π/2. π is split in three parts: the
+  // products of n with the first two are exact.
   constexpr double first = 0x1.921fb544p+1, second = 0x1.0b4611a6p-33,
                    third = 0x1.3198a2e037073p-68;
   const T n = nearbyint(x * (1 / std::numbers::pi));

@@ -145,7 +145,7 @@ struct Model {
   /// whose solution yields them.
   EntityId add(EntityKind kind, std::string entity_name, std::span<const double> initial_estimate,
                GroupId group);
-  /// Adds an entity that never moves. remainders: one for each value; none: all are 0.
+  /// Adds an entity that never moves. remainders: one for each value; empty: all are 0.
   EntityId add_fixed(EntityKind kind, std::string entity_name, std::span<const double> values,
                      std::span<const Remainder> remainders = {});
   /// Prescribes the motion of a scalar coordinate. Throws std::invalid_argument for any other

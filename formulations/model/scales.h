@@ -24,8 +24,8 @@ double nominal_size(const Model& model);
 /// nearby.)
 std::vector<double> nominal_magnitudes(const Model& model);
 
-/// Scales of a motion, its largest values. Errors over scales have no unit: they are the same in
-/// metres and in millimetres.
+/// Scales of a motion, its largest values. Errors divided by scales have no unit: they are the same
+/// in metres and in millimetres.
 ///
 ///                  points, distances                directions, angles
 ///   position       nominal size of the mechanism    1, 1 rad
@@ -33,8 +33,8 @@ std::vector<double> nominal_magnitudes(const Model& model);
 ///   acceleration   largest acceleration             largest second derivative
 ///
 /// A column that does not move gets the other's velocity scale, multiplied or divided by the size.
-/// A column that does not accelerate gets velocity² over the position scale. The scales of rates
-/// are 0 when nothing moves.
+/// A column that does not accelerate gets the velocity scale squared, divided by the position
+/// scale. The scales of rates are 0 when nothing moves.
 struct Scales {
   PerLevel<double> length{1, 0, 0};    ///< [unit of length], per s, per s²
   PerLevel<double> rotation{1, 0, 0};  ///< [1] or [rad], per s, per s²

@@ -12,8 +12,8 @@ namespace desmo {
 /// Returns whether a coupling reads an angle, so that whole turns count.
 bool whole_turns_count(const Model& model);
 
-/// Returns how far each driver has to move from a state to where it is at time t [s]. Whole turns
-/// of angles are left out, unless couplings count them.
+/// Returns how far each driver has to move from a state to where its motion has it at time t [s].
+/// Whole turns of angles are left out, unless couplings count them.
 std::vector<double> driver_changes(const Model& model, const State& from, double t);
 
 /// Returns the number of steps of a continuation in which none fails. changes: of the drivers, by
@@ -31,8 +31,8 @@ enum class ContinuationEnd {
   too_long,  ///< it would take more than max_continuation_steps steps
 };
 
-/// Moves the drivers of a solved state linearly, by driver_changes(), to where they are at time t
-/// [s]. So an instant within a motion is reached without those before it.
+/// Moves the drivers of a solved state linearly, by driver_changes(), to where their motions have
+/// them at time t [s]. So an instant within a motion is reached without those before it.
 /// - state: solved; overwritten, on failure with a position on the way
 /// - solve: solves the positions of a state for its drivers, given the last positions; returns
 ///   whether it could. The first call is at the state itself, to find its branches

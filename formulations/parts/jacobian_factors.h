@@ -66,7 +66,7 @@ class JacobianFactors {
     return corrects_with_old() && !(residual < tolerance_) && !(residual < last_residual_);
   }
 
-  /// Gives the factors up that led away.
+  /// Discards the factors that led away.
   void give_up() {
     has_factors_ = false;
     last_correction_ = Correction::none;

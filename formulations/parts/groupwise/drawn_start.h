@@ -66,7 +66,7 @@ class DrawnStart {
   /// Maximum change (≤) of a driver in a step, and of a coordinate by the first correction,
   /// relative to nominal magnitudes.
   static constexpr double max_change = 0.1;
-  // turns of a driver; more are left out, unless turns count
+  // maximum number of turns made by a driver; where it is exceeded, none are, unless turns count
   static constexpr double max_turns = 4;
   static constexpr double settled = 1e-9;  // relative correction (≤) that ends an iteration
 
