@@ -12,7 +12,7 @@
 
 namespace desmo {
 
-class KernelTable;  // equations/kernel_table.h
+class KernelTable;  // defined in equations/kernel_table.h
 
 /// A formulation of the suite: a partition of the unknowns, a way to evaluate the equations, and an
 /// algebra that solves the linear systems.

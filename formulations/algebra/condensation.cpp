@@ -16,7 +16,7 @@ Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivat
     for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
       rows[pattern.row[k]].push_back({j, k});
 
-  // for each column, for each row of A
+  // whether each column of A is derived, whether each row is a derivation
   std::vector<bool> is_derived(pattern.n), is_derivation(pattern.n);
   for (const Derivation& d : derivations) {
     is_derived[d.column] = true;

@@ -65,10 +65,10 @@ class Condensed final : public LinearSolver {
 
   Pattern reduced_;
   std::unique_ptr<LinearSolver> solver_;  // solver of A_r; null: all is derived
-  std::vector<DerivedUnknown> derived_;   // in the order of derivations
+  std::vector<DerivedUnknown> derived_;   // derived unknowns, in the order of derivations
   std::vector<Term> terms_;   // entries of derivations except pivots, ordered by derivation
   std::vector<Copy> copies_;  // entries of closures
-  std::vector<Operation> operations_;  // from the last derivation to the first, then by closure
+  std::vector<Operation> operations_;  // ordered by derivation, the last first, then by closure
   std::vector<DerivedTerm> derived_terms_;  // C_y, with what elimination adds to it
   std::vector<int> closure_row_, column_;   // row, column of A for each one of A_r
   int cleared_ = 0;  // number of values in work_ that are sums: A_r, then C_y

@@ -21,8 +21,9 @@ class NormalEquations {
   NormalEquations(const Pattern& pattern, NormalForm form, std::vector<int> permutation = {});
 
   int n() const { return n_; }
-  std::vector<int>& column_start() { return column_start_; }  ///< (n + 1)
-  std::vector<int>& row() { return row_; }                    ///< ascending within a column
+  /// first entry of each column, and the end (n + 1)
+  std::vector<int>& column_start() { return column_start_; }
+  std::vector<int>& row() { return row_; }  ///< row of each entry, ascending within a column
   std::vector<double>& values() { return values_; }
 
   /// Overwrites values() with N of these values of Φ_φ.

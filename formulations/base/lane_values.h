@@ -18,7 +18,7 @@ void copy_in_registers(const double* __restrict from, double* __restrict to) {
   for (std::size_t k = 0; k < size; ++k) to[k] = from[k];
 }
 
-/// A state in each lane.
+/// A state of one part or subsystem in each lane, its numbers in lanes.
 struct LaneState {
   LaneValues q, qd, qdd;
 

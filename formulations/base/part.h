@@ -14,7 +14,7 @@
 
 namespace desmo {
 
-class ResidentPart;  // base/resident_part.h
+class ResidentPart;  // defined in base/resident_part.h
 
 /// Settings of one part: those of the analysis that its solver reads, and its own limits. All
 /// limits are on ‖Φ‖₂ of the part's own equations, each divided by its magnitude.

@@ -8,9 +8,9 @@
 
 namespace desmo {
 
-struct MotionRow;    // motion/prediction/motions_ahead.h
-struct OutputView;   // base/output.h
-struct StepHistory;  // motion/prediction/guess.h
+struct MotionRow;    // defined in motion/prediction/motions_ahead.h
+struct OutputView;   // defined in base/output.h
+struct StepHistory;  // defined in motion/prediction/guess.h
 
 /// The places where the parts put their results in a run.
 struct PartOutputs {

@@ -21,11 +21,11 @@ enum class Evaluation {
 /// The prediction from which Newton–Raphson starts in a step.
 enum class Guess {
   previous,   ///< q of the last instant
-  linear,     ///< its tangent, from q̇
-  quadratic,  ///< Taylor, from q̇ and q̈
+  linear,     ///< Taylor to first order, from q and q̇ of the last instant
+  quadratic,  ///< Taylor to second order, from its q, q̇ and q̈
   hermite3,   ///< the cubic through q and q̇ of the last two instants
-  hermite5,   ///< the quintic through their q, q̇ and q̈
-  adams8,     ///< from the last q, the polynomial through q̇ and q̈ of the last four
+  hermite5,   ///< the quintic through q, q̇ and q̈ of the last two instants
+  adams8,  ///< the last q plus the integral of the polynomial through q̇ and q̈ of the last four
 };
 
 /// When Φ_φ, the Jacobian of a part by its unknowns, is factorised. Positions are accepted by the

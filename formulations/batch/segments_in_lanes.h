@@ -35,7 +35,7 @@ class SegmentsInLanes final : public SegmentExecutor {
                              Observer& observer) override;
 
  private:
-  /// A moving part: the same in every lane.
+  /// A moving part, with a solver for each lane.
   struct PartInLanes {
     std::vector<std::unique_ptr<Part>> members{};
     std::vector<int> unknowns;

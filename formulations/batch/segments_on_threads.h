@@ -27,7 +27,7 @@ class SegmentsOnThreads final : public SegmentExecutor {
   int segments(int instants) const;
 
  private:
-  /// A segment, and what became of it.
+  /// A segment and the outcome of solving it.
   struct Segment {
     int begin = 0, end = 0;        // range of instants in the grid
     std::vector<double> entered;   // position at its first instant, in coordinate order

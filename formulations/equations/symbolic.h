@@ -47,7 +47,7 @@ class SymbolicEquations final : public Equations {
     BoundKernel bound;
     int first_row;
     std::vector<int> slots;
-    bool known_is_unknown;  // a known entry lies in a column of the part
+    bool known_is_unknown;  // true: a known entry is by an unknown of the part
   };
 
   Pattern pattern_;

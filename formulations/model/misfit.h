@@ -13,7 +13,8 @@ struct Misfit {
   /// Distance by which a point, or a length, would have to change for the equation to hold. An
   /// equation without lengths has the change of a direction's component or of an angle instead.
   double amount = 0;
-  bool is_length = false;  ///< amount is in the model's unit of length; else a number or [rad]
+  /// true: amount is in the model's unit of length; false: in [1] or [rad]
+  bool is_length = false;
 
   /// Returns the amount divided by a length of the equation; without lengths, the amount itself.
   double over(double length) const { return is_length ? amount / length : amount; }

@@ -94,7 +94,7 @@ class Upstream {
   std::vector<std::optional<Level>> block_level;
   std::vector<std::optional<Level>> entity_level;
   std::vector<bool> constraint_kept;
-  std::vector<EntityId> serves;  // entity for which each was first needed; -1: none
+  std::vector<EntityId> serves;  // entity for which each one was first needed; -1: it is not
 
  private:
   void need(EntityId id, Level level, EntityId for_whom) {
@@ -114,7 +114,7 @@ class Upstream {
   std::vector<std::pair<int, Level>> waiting_;
 };
 
-/// Returns what is needed of a model.
+/// Returns the entities, constraints and drivers that are needed of a model.
 Members needed_members(const Model& whole, const Upstream& up) {
   Members needed;
   for (std::size_t e = 0; e < whole.entities.size(); ++e)

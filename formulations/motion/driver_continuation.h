@@ -24,7 +24,7 @@ int continuation_steps(const Model& model, std::span<const double> changes);
 /// for a small mechanism.
 inline constexpr int max_continuation_steps = 1000000;
 
-/// End of a continuation.
+/// The outcome of a continuation.
 enum class ContinuationEnd {
   reached,
   blocked,

@@ -9,8 +9,8 @@
 
 namespace desmo {
 
-struct Profile;  // parts/profile.h
-struct Variant;  // variants.h
+struct Profile;  // defined in parts/profile.h
+struct Variant;  // defined in variants.h
 
 /// Return the interface of a formulation for the rest of the library; its users need none of it.
 /// Only TimeStepping derives from Formulation, so every formulation has it.

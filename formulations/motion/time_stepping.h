@@ -66,7 +66,7 @@ class TimeStepping final : public Formulation {
  private:
   static constexpr int unlimited = std::numeric_limits<int>::max();
 
-  /// An instant, and how far it was solved.
+  /// An instant and the level to which it was solved.
   struct SolvedState {
     State state{};
     double time = 0;               // [s]

@@ -20,7 +20,7 @@ std::unique_ptr<const Equations> make_equations(const PartContext& c) {
   return std::make_unique<SymbolicEquations>(c.model, c.definition, *c.kernels);
 }
 
-/// Measures equations where a profile is asked for.
+/// Wraps equations in ones that are measured, where a profile is asked for.
 std::unique_ptr<const Equations> measured(std::unique_ptr<const Equations> equations,
                                           const PartContext& c) {
   if (!c.profile) return equations;

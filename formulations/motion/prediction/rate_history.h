@@ -20,7 +20,7 @@ class RateHistory {
   /// Degree up to which polynomials q are predicted exactly, except for rounding.
   static constexpr int degree = 2 * instants;
 
-  /// ranges: of the coordinates.
+  /// ranges: those of the coordinates, ascending.
   explicit RateHistory(std::span<const IndexRange> ranges);
 
   void forget() { known_ = 0, newest_ = 0; }
