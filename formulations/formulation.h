@@ -20,7 +20,7 @@ namespace desmo {
 ///     if (formulation->step(0.01 * i).ok())
 ///       use(formulation->value("C.x"), formulation->value("C.x", Level::velocity));
 ///
-/// run_checked() and LiveRun also prove how accurate the answers are.
+/// run_checked() and LiveRun can also prove how accurate the answers are.
 ///
 /// Rule of threads, in all of desmo:
 /// - Threads may share what nobody changes meanwhile: a Model, Settings, generated code and all

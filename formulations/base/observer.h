@@ -8,9 +8,9 @@
 
 namespace desmo {
 
-/// An instant of a motion. The spans are valid until the next instant comes; those above the
-/// requested level are empty. They hold all coordinates in their order or, if the observer lends
-/// memory, the requested ones, in that memory.
+/// An instant of a motion. The spans are valid until observe() returns, or as long as lent memory;
+/// those above the requested level are empty. They hold all coordinates in their order or, if the
+/// observer lends memory, the requested ones, in that memory.
 struct Instant {
   int index;    ///< position in the run's grid
   double time;  ///< [s]

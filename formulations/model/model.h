@@ -167,7 +167,7 @@ struct Model {
   };
   Component find_component(const std::string& component_name) const;
 
-  std::unordered_map<std::string, EntityId> by_name_;  // first entity of each name
+  std::unordered_map<std::string, EntityId> by_name_;  // first entity added with each name
 };
 
 /// Returns the name of a coordinate of an entity: "C.x" of a point or vector C, or the entity's

@@ -47,8 +47,8 @@ class TimeStepping final : public Formulation {
   /// Solves an instant like step(), with driver values from a row instead of the motions. Takes at
   /// most max_sub_steps sub-steps, in which drivers move linearly from their last positions to the
   /// row. Takes nothing from the heap unless it assembles or follows a run(). So a failure names
-  /// the group at most, and no constraint. The row is not checked. LiveRun checks it and proves the
-  /// result.
+  /// the group at most, and no constraint. The row is not checked. LiveRun checks it, and can prove
+  /// the result.
   Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps);
 
   /// Returns to positions q that were solved before, at time t [s]; the next row starts there.
@@ -69,8 +69,9 @@ class TimeStepping final : public Formulation {
   /// An instant and the level to which it was solved.
   struct SolvedState {
     State state{};
-    double time = 0;               // [s]
-    std::optional<Level> level{};  // nothing: rates are unknown, and nothing is predicted from it
+    double time = 0;  // [s]
+    // nothing: rates are unknown, and a prediction uses its positions only
+    std::optional<Level> level{};
     void forget() { time = 0, level.reset(); }
   };
 
