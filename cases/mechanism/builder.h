@@ -9,7 +9,7 @@
 namespace desmo {
 
 /// Builder of a mechanism, step by step. Functions that add a point, a vector or a body return its
-/// position in the mechanism's list, by which later calls refer to it. Nothing is checked before
+/// index in the mechanism's list, by which later calls refer to it. Nothing is checked before
 /// validate() or make_model(). Lengths are in metres (or the free unit), angles in radians.
 ///
 ///   MechanismBuilder builder("crank", 2);
@@ -28,7 +28,7 @@ class MechanismBuilder {
     mechanism_.bodies.push_back({"ground"});
   }
 
-  static constexpr int ground = 0;  ///< position of the ground among the bodies
+  static constexpr int ground = 0;  ///< index of the ground among the bodies
 
   /// Sets Mechanism::length_unit: "m" (the default) or "1".
   void set_length_unit(std::string unit) { mechanism_.length_unit = std::move(unit); }
@@ -51,7 +51,7 @@ class MechanismBuilder {
     mechanism_.bodies.push_back({std::move(name), std::move(points), std::move(vectors)});
     return static_cast<int>(mechanism_.bodies.size()) - 1;
   }
-  /// Adds a body with two points at that distance, whose nominal positions are only estimates.
+  /// Adds a body with two points at the distance `length`. Their nominal positions are estimates.
   int link(std::string name, int a, int b, double length) {
     mechanism_.bodies.push_back({std::move(name), {a, b}, {}, length});
     return static_cast<int>(mechanism_.bodies.size()) - 1;
@@ -62,21 +62,23 @@ class MechanismBuilder {
     b.points.insert(b.points.end(), points.begin(), points.end());
     b.vectors.insert(b.vectors.end(), vectors.begin(), vectors.end());
   }
-  /// Adds a joint between bodies a and b with the points and vectors that JointType names. Without
-  /// a name release() gives it the one that it would have in a file.
+  /// Adds a joint between bodies a and b with the points and vectors that JointType names. Where
+  /// the name is empty, release() gives one (name_joints()).
   void joint(Mechanism::JointType type, int a, int b, std::vector<int> points,
              std::vector<int> vectors = {}, std::string name = {}) {
     mechanism_.joints.push_back(
         {std::move(name), type, {a, b}, std::move(points), std::move(vectors)});
   }
-  /// Adds a relative coordinate, to be completed through the reference, which the next call voids.
+  /// Adds a relative coordinate, to be completed through the returned reference. The reference is
+  /// invalid once another coordinate is added.
   Mechanism::Coordinate& coordinate(std::string name, Mechanism::CoordinateType type) {
     Mechanism::Coordinate& c = mechanism_.coordinates.emplace_back();
     c.name = std::move(name);
     c.type = type;
     return c;
   }
-  /// Add coordinates of these types, with what Mechanism::Coordinate says of each.
+  /// Add a coordinate of the type that the function is named after. Mechanism::Coordinate says what
+  /// the parameters are, and coordinate() how long the reference is valid.
   Mechanism::Coordinate& angle(std::string name, const Mechanism::Direction& of,
                                const Mechanism::Direction& from = {},
                                const Mechanism::Direction& towards = {}) {
@@ -99,12 +101,12 @@ class MechanismBuilder {
     return c;
   }
   /// Couples two to four coordinates: Σ factor · coordinate keeps its nominal value. Factors are
-  /// for SI units and [rad].
+  /// those of lengths in metres (or the free unit) and angles in radians.
   void couple(std::string name, std::vector<Mechanism::Coupling::Term> terms) {
     mechanism_.couplings.push_back({std::move(name), std::move(terms)});
   }
 
-  /// Returns the mechanism; the builder is then empty.
+  /// Returns the mechanism, after name_joints(). The builder must not be used any more.
   Mechanism release() {
     name_joints(mechanism_);
     return std::move(mechanism_);

@@ -1,5 +1,5 @@
-// The steps of validate(const Mechanism&), the error that each throws, and what they share with
-// modelling. Each step relies on the previous ones.
+// The steps of validate(const Mechanism&), the error that each throws, and functions that modelling
+// uses as well. Each step relies on the previous ones.
 #pragma once
 
 #include <stdexcept>
@@ -20,7 +20,7 @@ class MechanismError : public std::invalid_argument {
       : std::invalid_argument(message), part_(part), index_(index) {}
 
   Part part() const { return part_; }
-  int index() const { return index_; }  ///< index in the part's list
+  int index() const { return index_; }  ///< index in the list of this part; of a description: 0
 
  private:
   Part part_;
@@ -31,11 +31,12 @@ class MechanismError : public std::invalid_argument {
 [[noreturn]] void refuse(const Mechanism& mechanism, MechanismError::Part part, int index,
                          const std::string& what);
 
-/// Returns the bodies that move as one, because fixed joints connect them. The first of a set
-/// stands for it.
+/// Returns the sets of bodies that move as one, because fixed joints connect them.
+/// DisjointSets::find() of a body returns the least index in its set.
 DisjointSets fixed_bodies(const Mechanism& mechanism);
 
-/// Returns a vector as a body carries it: in the body's frame, if it has one, or as drawn.
+/// Returns the direction of a vector that a body carries: in the body's own frame, if it has one;
+/// otherwise as drawn.
 Mechanism::Vec carried_vector(const Mechanism& mechanism, int body, int vector);
 
 /// Returns whether an index is within a list.
@@ -46,10 +47,12 @@ bool is_in(int index, const List& list) {
 
 void check_names(const Mechanism& mechanism);
 
-/// Checks numbers and indices of points, vectors and bodies, and what they imply.
+/// Checks numbers and indices of points, vectors and bodies, lengths and frames of bodies, and that
+/// the points of a body do not all coincide.
 void check_entities(const Mechanism& mechanism);
 
-/// Checks that a vector along a line has two points of a body that carries the vector.
+/// Checks that a vector along a line has two points that do not coincide, and that a body which
+/// carries the vector carries both, if any body carries the vector.
 void check_vectors_along(const Mechanism& mechanism, const Carriers& points,
                          const Carriers& vectors);
 
@@ -58,7 +61,8 @@ void check_joints(const Mechanism& mechanism, const Carriers& points, const Carr
 
 void check_coordinates(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
-/// Checks that couplings relate coordinates of which one at least is not driven.
+/// Checks that couplings relate two to four different coordinates, one at least not driven, with
+/// finite factors other than 0, and that their tables make splines.
 void check_couplings(const Mechanism& mechanism);
 
 }  // namespace desmo

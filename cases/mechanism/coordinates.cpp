@@ -11,7 +11,7 @@ namespace {
 
 using Part = MechanismError::Part;
 
-/// Directions are at a right angle when the cosine of their angle is at most this.
+/// Directions are at a right angle when |cosine of their angle| ≤ right_angle.
 constexpr double right_angle = 1e-6;
 
 bool is_same_line(const Mechanism::Direction& a, const Mechanism::Direction& b) {
@@ -113,8 +113,8 @@ class CoordinateCheck {
                ", where its projection vanishes and has no angle; choose another direction");
   }
 
-  // Returns the cosine between two vectors: on a body with a frame if one carries both, else as
-  // drawn.
+  // Returns the cosine of the angle between two vectors: in the frame of a body that has one and
+  // carries both, if there is such a body; otherwise as drawn.
   double cosine(int u, int v) const {
     int carrier = 0;
     for (const auto& [vector, body] : vectors_.of(u))

@@ -10,8 +10,8 @@ namespace {
 
 using Vec = Mechanism::Vec;
 
-constexpr double rounding = 1e-12;
-constexpr double parallel = 1e-8;
+constexpr double rounding = 1e-12;  // points coincide when apart by ≤ rounding · max |component|
+constexpr double parallel = 1e-8;   // unit vectors are parallel when |components of a × b| < this
 
 double largest(const Vec& x) { return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}); }
 
@@ -44,7 +44,7 @@ std::optional<Vec> direction(const Vec& p, const Vec& q) {
 std::array<Remainder, 3> remainder_of(const Vec& unit, const std::array<Derived, 3>& along) {
   std::array<Derived, 3> y = along;
   const int exponent = std::ilogb(largest({y[0].value, y[1].value, y[2].value}));
-  for (Derived& x : y)  // exactly, so that no square overflows or vanishes
+  for (Derived& x : y)  // scaled by a power of two, so that no square overflows or vanishes
     x = {std::ldexp(x.value, -exponent),
          {std::ldexp(x.correction, -exponent), std::ldexp(x.radius, -exponent)}};
   const Derived length = sqrt(dot(y, y));

@@ -1,4 +1,4 @@
-// Nominal directions of vectors and of lines, and the points that they join.
+// Nominal points of bodies, and unit vectors along lines and normals.
 #pragma once
 
 #include <array>
@@ -9,22 +9,23 @@
 
 namespace desmo {
 
-/// Returns the points of a body: in the body's frame, if it has one, or as drawn.
+/// Returns the points of a body: in the body's own frame, if it has one; otherwise as drawn.
 std::vector<Mechanism::Vec> shape_of(const Mechanism& mechanism, const Mechanism::Body& body);
 
 /// Returns x scaled to length 1; nothing when all components are zero.
 std::optional<Mechanism::Vec> unit_vector(const Mechanism::Vec& x);
 
-/// Returns the unit vector from p to q; nothing when they coincide within rounding.
+/// Returns the unit vector from p to q. Returns nothing when they coincide: no component differs by
+/// more than 1e-12 of the largest absolute component of p and q.
 std::optional<Mechanism::Vec> direction(const Mechanism::Vec& p, const Mechanism::Vec& q);
 
-/// Returns what the components of a unit vector lack. along: a vector that it has the direction of,
-/// not zero.
+/// Returns the remainders of the components of a unit vector, which are rounded.
+/// - along: the exact vector whose direction it is, of any length but 0
 std::array<Remainder, 3> remainder_of(const Mechanism::Vec& unit,
                                       const std::array<Derived, 3>& along);
 
-/// Returns the unit vector along a × b of unit vectors a, b. Returns nothing when these are
-/// parallel, or so nearly that the product has lost half of its digits.
+/// Returns the unit vector along a × b of unit vectors a, b. Returns nothing when they are parallel
+/// or nearly so: all components of the product are below 1e-8, half of its digits are lost.
 std::optional<Mechanism::Vec> common_normal(const Mechanism::Vec& a, const Mechanism::Vec& b);
 
 }  // namespace desmo

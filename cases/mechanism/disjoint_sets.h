@@ -19,7 +19,7 @@ class DisjointSets {
     while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
     return x;
   }
-  /// Unites the sets of x and y. What stood for the set of y stands for both.
+  /// Unites the sets of x and y. The number that stood for the set of y stands for both.
   void unite(int x, int y) { parent_[find(x)] = find(y); }
 
  private:

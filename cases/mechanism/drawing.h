@@ -9,8 +9,8 @@
 
 namespace desmo {
 
-/// The nominal positions of a mechanism as the file means them, in a scalar S: double, in which
-/// dimensions are rounded, or Derived.
+/// The nominal positions of a mechanism, in a scalar S: double, which has them rounded, or Derived,
+/// which has them with their remainders, as the file means them.
 template <class S>
 struct Drawing {
   using Vec = std::array<S, 3>;
@@ -21,14 +21,14 @@ struct Drawing {
   static Vec origin() { return {}; }
   Vec point(int p) const { return in_scalar(mechanism.points[p].exact()); }
   Vec vector(int v) const { return in_scalar(mechanism.vectors[v].exact()); }
-  /// Returns a direction: a vector, or a line with its length.
+  /// Returns a vector, of length 1, or the difference of the two points of a line.
   Vec direction(const Direction& d) const {
     if (!d.is_line()) return vector(d.vector);
     const Vec from = point(d.from), to = point(d.to);
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   }
 
-  /// Returns the value of a relative coordinate: an angle [rad] or a length.
+  /// Returns the value of a relative coordinate: an angle in [−π, π] [rad], or a length.
   S value(const Mechanism::Coordinate& c) const {
     using enum Mechanism::CoordinateType;
     using std::atan2;

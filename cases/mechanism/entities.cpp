@@ -14,7 +14,7 @@ namespace {
 
 using Part = MechanismError::Part;
 
-constexpr double unit_length_rounding = 1e-9;
+constexpr double unit_length_rounding = 1e-9;  // a vector has length 1 when |length − 1| ≤ this
 
 bool finite(const Mechanism::Vec& x) {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
@@ -121,7 +121,8 @@ void check_frame(const Mechanism& d, int i) {
              "has a frame with a number that is not finite or, in the plane, a third component");
 }
 
-// A body that carries points alone is where they are apart.
+// Refuses a moving body that carries two points or more and no vectors, when all its points
+// coincide.
 void check_extent(const Mechanism& d, int i) {
   const Mechanism::Body& body = d.bodies[i];
   if (i == 0 || body.points.size() < 2 || !body.vectors.empty()) return;

@@ -9,7 +9,7 @@
 
 namespace desmo {
 
-/// Returns what printf() would print.
+/// Returns the text that printf() would print.
 [[gnu::format(printf, 1, 2)]] inline std::string formatted(const char* format, ...) {
   std::va_list values, again;
   va_start(values, format);
@@ -21,7 +21,8 @@ namespace desmo {
   return text;
 }
 
-/// Reads the whole of a text as a number. Returns whether it is one.
+/// Reads the whole of a text as a number (std::from_chars, which also takes "inf" and "nan").
+/// Returns whether it is one.
 template <class Number>
 bool parse_number(std::string_view text, Number& value) {
   const char* const end = text.data() + text.size();

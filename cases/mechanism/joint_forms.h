@@ -10,28 +10,28 @@ namespace desmo {
 /// Form of a joint type in the plane or in space: its name in files, the points and vectors that it
 /// joins, and the freedoms that it removes. Each list of a joint holds either entities that both
 /// bodies carry (common) or entities of one body each (own), the first body's before the second's.
-/// Own points lie on a line along the first vector; or in_plane, where that is a normal, they keep
-/// their distance along it.
+/// Of two own points, the second moves in the first body along the first vector only. With in_plane
+/// that vector is a normal, and the point moves at right angles to it only.
 struct JointForm {
   Mechanism::JointType type;
   int dimension;
   std::string_view name;
   int freedoms_removed;
   int common_points = 0, own_points = 0, common_vectors = 0, own_vectors = 0;
-  bool in_plane = false;   ///< see above
-  std::string_view takes;  ///< description for messages
+  bool in_plane = false;   ///< own points slide in a plane, not along a line
+  std::string_view takes;  ///< description of its points and vectors, for messages
 
   int points() const { return common_points + own_points; }
   int vectors() const { return common_vectors + own_vectors; }
 };
 
-/// Returns whether a joint of this type slides along a line.
+/// Returns whether a point of a joint of this type slides along a line.
 bool slides(Mechanism::JointType type);
 
 /// Returns whether a joint of this type turns about one axis.
 bool turns(Mechanism::JointType type);
 
-/// Returns every type of joint in each dimension in which it exists.
+/// Returns the forms of all types, one for each dimension in which a type exists.
 std::span<const JointForm> joint_forms();
 
 /// Returns the form of a type in a dimension; null when there is none.

@@ -9,7 +9,7 @@
 namespace desmo {
 
 void name_joints(Mechanism& d) {
-  // A type or a body that does not exist is for validate() to find.
+  // A type or a body may not exist: validate() refuses it later.
   const auto type_name = [](Mechanism::JointType type) {
     const auto form = std::ranges::find(joint_forms(), type, &JointForm::type);
     return form == joint_forms().end() ? std::string("joint") : std::string(form->name);

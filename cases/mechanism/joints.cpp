@@ -24,7 +24,8 @@ const JointForm& form_of(const Mechanism& d, int i) {
              "; choose another type");
 }
 
-// One list of a joint: what is common, of both bodies, then what is own, one of each in turn.
+// Checks one list of a joint, its points or its vectors: both bodies carry each common entity, the
+// first body carries the first own one, and the second body the second.
 template <class Entry>
 void check_carried(const Mechanism& d, int i, const JointForm& form, const std::vector<int>& joined,
                    int common, const std::vector<Entry>& entries, const Carriers& carriers,
@@ -48,7 +49,8 @@ void check_carried(const Mechanism& d, int i, const JointForm& form, const std::
   }
 }
 
-// Two vectors that both bodies keep hold the axis and the angle about it; two points hold the axis.
+// Checks that two common points differ, so that they determine an axis, and that two common vectors
+// are not parallel, so that they prevent rotation.
 void check_axis(const Mechanism& d, int i, const JointForm& form) {
   if (form.common_points == 2) {
     const Mechanism::Point &p = d.points[d.joints[i].points[0]],

@@ -11,14 +11,15 @@ namespace {
 
 // T: double, or Derived for the exact spline.
 
-/// Symmetric and tridiagonal.
+/// A symmetric tridiagonal matrix.
 template <class T>
 struct Tridiagonal {
-  std::vector<T> diagonal;
-  std::vector<T> off_diagonal;  ///< one fewer
+  std::vector<T> diagonal;      ///< (n)
+  std::vector<T> off_diagonal;  ///< (n − 1), that above the diagonal and that below it
 };
 
-/// Thomas' algorithm, without pivoting: the matrices of splines are diagonally dominant.
+/// Solves a tridiagonal system with the right-hand side x by Thomas' algorithm, without pivoting:
+/// the matrices of splines are diagonally dominant.
 template <class T>
 std::vector<T> solve(const Tridiagonal<T>& matrix, std::vector<T> x) {
   std::vector<T> pivot = matrix.diagonal;
@@ -33,11 +34,12 @@ std::vector<T> solve(const Tridiagonal<T>& matrix, std::vector<T> x) {
   return x;
 }
 
-/// The same with `corner` added to the matrix at its upper right and lower left, by Sherman and
-/// Morrison: A + u vᵀ with u = (γ, 0 … 0, corner), v = (1, 0 … 0, corner/γ).
+/// Solves the system of a tridiagonal matrix with `corner` added at its upper right and lower left.
+/// Sherman and Morrison: that matrix is A + u vᵀ with u = (γ, 0 … 0, corner) and
+/// v = (1, 0 … 0, corner/γ), where A is tridiagonal.
 template <class T>
 std::vector<T> solve_cyclic(Tridiagonal<T> matrix, const T& corner, std::vector<T> rhs) {
-  const T gamma = -matrix.diagonal.front();  // any but 0; this one keeps A dominant
+  const T gamma = -matrix.diagonal.front();  // any number but 0; this one keeps A dominant
   const T v_last = corner / gamma;
   std::vector<T> u(rhs.size(), T(0));
   u.front() = gamma;
@@ -56,8 +58,8 @@ bool closes(SplineEnds ends) {
   return ends == SplineEnds::periodic || ends == SplineEnds::indexing;
 }
 
-/// z̈ at every knot, from the continuity of ż at knot i, where interval i (length hᵢ, slope δᵢ of
-/// its chord) follows interval i−1:
+/// Returns z̈ at every knot, from the continuity of ż at knot i, where interval i (length hᵢ, slope
+/// δᵢ of its chord) follows interval i−1:
 ///   hᵢ₋₁ z̈ᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) z̈ᵢ + hᵢ z̈ᵢ₊₁ = 6 (δᵢ − δᵢ₋₁)
 template <class T>
 std::vector<T> second_derivatives(const std::vector<T>& h, const std::vector<T>& slope,
@@ -71,7 +73,7 @@ std::vector<T> second_derivatives(const std::vector<T>& h, const std::vector<T>&
     rhs[i] = rhs[i] + T(6) * slope[i];
     rhs[i + 1] = rhs[i + 1] - T(6) * slope[i];
   }
-  if (closes(ends)) {  // the last knot is the first
+  if (closes(ends)) {  // the last knot and the first have one unknown z̈ and one equation
     matrix.diagonal.front() = matrix.diagonal.front() + matrix.diagonal.back();
     rhs.front() = rhs.front() + rhs.back();
     matrix.diagonal.pop_back();
@@ -111,7 +113,7 @@ void check(const std::vector<double>& times, const std::vector<double>& values, 
     refuse("that is periodic must end with the value it begins with");
 }
 
-/// Returns the pieces of a table's spline.
+/// Returns the pieces of the spline through a table.
 template <class T>
 std::vector<std::array<T, 4>> interpolated(const std::vector<double>& times,
                                            const std::vector<double>& values, SplineEnds ends) {
@@ -129,7 +131,8 @@ std::vector<std::array<T, 4>> interpolated(const std::vector<double>& times,
   return pieces;
 }
 
-/// Returns the first double that is not before a time: the one that is that time, if there is one.
+/// Returns the least double that is at or after a time. Where the radius does not tell whether the
+/// time is the double nearest to it, returns that double.
 double rounded_up(const Derived& time) {
   const auto [value, correction, radius] = time.rounded();
   return correction > radius ? std::nextafter(value, std::numeric_limits<double>::infinity())
@@ -166,9 +169,10 @@ void Spline::add(double knot, const Piece& piece) {
   pieces_.push_back(piece);
 }
 
-/// The distance is covered in the times up, steady and up again. Pieces are exact cubics of the
-/// time since their knots, so that the motion is continuous but for a part in 2^100. Knots are
-/// rounded up: no time that is a double lies between one and what it stands for.
+/// The motion accelerates for the duration `up`, moves at the limit of velocity until `brakes`
+/// (trapezoid only), and decelerates for the duration `up`. Pieces are cubics of the time since
+/// their rounded knots, with remainders, so that the motion is continuous up to a relative error of
+/// about 2^-100. Knots are rounded up: no double lies between an exact knot and the rounded one.
 Spline make_spline(const Trapezoid& of) {
   const bool is_back = of.distance.value < 0;
   const Derived s = is_back ? -of.distance : of.distance, v = of.velocity, a = of.acceleration;
@@ -187,7 +191,7 @@ Spline make_spline(const Trapezoid& of) {
     spline.add(knot, piece);
   };
   const Derived half = a / 2, left = (end - brakes).rounded();
-  add(of.start - (rests - of.start), {});  // the outer knots do not matter
+  add(of.start - (rests - of.start), {});  // sample() does not read where the outer knots are
   add(of.start, {0, 0, half, 0});
   if (!is_triangle) add(steady, {v * (Derived(steady) - of.start) - v * up / 2, v, 0, 0});
   add(brakes, {s - half * left * left, a * left, -half, 0});

@@ -14,7 +14,7 @@
 
 namespace desmo {
 
-// Units: z in that of the coordinate, t in seconds.
+// Units: z [m, free unit or rad], as the coordinate has it; t [s].
 
 /// z(t) = c₀ + c₁ t + c₂ t² + …
 struct Polynomial {
@@ -25,8 +25,8 @@ struct Polynomial {
 struct HarmonicSum {
   struct Term {
     Derived amplitude;
-    Derived angular_frequency;  ///< rad/s
-    Derived phase;              ///< rad
+    Derived angular_frequency;  ///< [rad/s]
+    Derived phase;              ///< [rad]
   };
   Derived mean;
   std::vector<Term> terms;
@@ -34,27 +34,27 @@ struct HarmonicSum {
 
 /// Conditions at the ends of a spline, which interpolation leaves open.
 enum class SplineEnds {
-  natural,   ///< z̈ = 0 at both
-  clamped,   ///< ż = 0 at both
-  periodic,  ///< z, ż and z̈ at the last knot as at the first
-  indexing,  ///< ż and z̈ at the last knot as at the first
+  natural,   ///< z̈ = 0 at both ends
+  clamped,   ///< ż = 0 at both ends
+  periodic,  ///< z, ż and z̈ at the last knot are those at the first
+  indexing,  ///< ż and z̈ at the last knot are those at the first; z may differ
 };
 
-/// Cubic polynomials, one after the other. Outside of their knots the first and the last one are
-/// continued.
+/// A spline of cubic polynomials between knots. Before the first knot and after the last one the
+/// outer polynomials are continued.
 class Spline {
  public:
   /// Coefficients of z = c₀ + c₁ τ + c₂ τ² + c₃ τ³, where τ is the time since the interval's first
   /// knot.
   using Piece = std::array<Derived, 4>;
 
-  /// Return the times [s] between which the motion is prescribed: the ends of a table; else
-  /// infinite.
+  /// Return the times [s] between which the motion is prescribed: the ends of a table; −∞ and ∞ for
+  /// a trapezoid.
   double first_time() const { return first_time_; }
   double last_time() const { return last_time_; }
-  const std::vector<double>& knots() const { return knots_; }   ///< ascending, two or more
-  const std::vector<Piece>& pieces() const { return pieces_; }  ///< one for each interval
-  void shift(const Derived& distance);                          ///< adds it to z(t)
+  const std::vector<double>& knots() const { return knots_; }   ///< times [s], ascending; ≥ 2
+  const std::vector<Piece>& pieces() const { return pieces_; }  ///< one between each two knots
+  void shift(const Derived& distance);                          ///< adds a distance to z(t)
   /// Multiplies z(t) by a factor. Throws std::invalid_argument when a coefficient overflows.
   void scale(const Derived& factor);
 
@@ -71,24 +71,25 @@ class Spline {
   std::vector<Piece> pieces_;
 };
 
-/// Interpolates a table of times [s] and values, twice continuously differentiable. A periodic
-/// spline is not repeated outside of its table. Coefficients have the remainders of the exact
-/// spline. Throws std::invalid_argument unless there are as many times as values, two or more
-/// (periodic, indexing: three). All must be finite, the times strictly ascending, and (periodic)
-/// the last value equal to the first.
+/// Interpolates a table of times [s] and values by a spline that is twice continuously
+/// differentiable. A periodic spline is not repeated outside of its table. Each coefficient has its
+/// remainder to the exact spline's. Throws std::invalid_argument unless
+/// - there are as many times as values, two or more (periodic, indexing: three)
+/// - all are finite, the times strictly ascending, and (periodic) the last value equals the first
+/// - all coefficients are finite
 Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends);
 
 /// The fastest motion from rest at z = 0 to rest at z = `distance` within limits of velocity and
 /// acceleration: its velocity is a trapezoid over time, or a triangle.
 struct Trapezoid {
-  Derived distance;                ///< not 0
-  Derived velocity, acceleration;  ///< limits, positive
-  double start = 0;                ///< time at which it begins [s]
+  Derived distance;                ///< final z, not 0
+  Derived velocity, acceleration;  ///< limits of |ż| and |z̈|, above 0
+  double start = 0;                ///< time at which the motion begins [s]
 };
 
-/// Makes a spline of a trapezoid, with the rest before and after. Knots are where the acceleration
-/// jumps, rounded up: at each double the motion is that of the exact knots. Throws
-/// std::invalid_argument when they coincide or anything overflows.
+/// Makes a spline of a trapezoid, with the rest before and after. Inner knots are the times at
+/// which the acceleration jumps, rounded up. At every time that is a double, the motion is that of
+/// the exact knots. Throws std::invalid_argument when knots coincide or anything overflows.
 Spline make_spline(const Trapezoid& trapezoid);
 
 /// Prescribed motion of one independent coordinate.
@@ -103,7 +104,7 @@ struct MotionSample {
   S position, velocity, acceleration;
 };
 
-// Functions that sample evaluate up to a level; what is above it is 0.
+// sample() evaluates derivatives up to the level `up_to`; those above it are 0.
 
 /// Evaluates Σ c[i] tⁱ and its first two derivatives by Horner's rule.
 template <Level up_to = Level::acceleration, class S>
@@ -141,7 +142,7 @@ MotionSample<S> sample(const HarmonicSum& m, const S& t) {
 
 template <Level up_to = Level::acceleration, class S>
 MotionSample<S> sample(const Spline& m, const S& t) {
-  // Only inner knots are searched, so that the outer cubics reach beyond the table.
+  // Only inner knots are searched, so that the outer polynomials are continued beyond the knots.
   const auto begin = m.knots().begin() + 1, end = m.knots().end() - 1;
   const auto i =
       std::upper_bound(begin, end, t, [](const S& time, double knot) { return time < S(knot); }) -
@@ -159,7 +160,7 @@ MotionSample<S> sample(const Motion& motion, const S& t) {
 /// Equally spaced instants. Each is computed from its index, never accumulated.
 struct TimeGrid {
   double start = 0;            ///< [s]
-  double step = 0;             ///< [s], positive
+  double step = 0;             ///< [s], above 0
   int instants = 0;            ///< number of instants, both ends included; 1: the start alone
   int steps_per_interval = 1;  ///< number of steps between instants
 
@@ -167,7 +168,7 @@ struct TimeGrid {
   double time(int i) const;
   double interval() const { return steps_per_interval * step; }  ///< time between instants [s]
 
-  /// Returns a grid of the first instant and every nth one after it, at exactly the same times.
+  /// Returns the grid of every nth instant from the first on, at exactly the same times. nth: ≥ 1.
   TimeGrid every(int nth) const {
     return {start, step, (instants + nth - 1) / nth, steps_per_interval * nth};
   }

@@ -11,17 +11,19 @@ namespace {
 
 namespace utf = boost::locale::utf;
 
-constexpr int max_distance = 3;
-constexpr std::size_t min_contained = 3;  // characters of a part of a name
+constexpr int max_distance = 3;           // edit distance of a similar name, ≤
+constexpr std::size_t min_contained = 3;  // bytes of a part by which a name is found, ≥
 constexpr std::size_t max_suggestions = 3;
-constexpr std::size_t max_listed = 15, first_listed = 8;  // all of a list, and of a longer one
+// A list of up to max_listed names is shown whole, of a longer one the first first_listed.
+constexpr std::size_t max_listed = 15, first_listed = 8;
 
-// Levenshtein's distance, or limit + 1 when it is larger. Only a band of 2 limit + 1 diagonals is
-// evaluated: the search for a misspelt name visits every name of a mechanism.
+// Returns Levenshtein's distance of two texts in bytes, or limit + 1 when it is larger. Evaluates
+// only a band of 2 limit + 1 diagonals: the search for a misspelt name visits every name of a
+// mechanism.
 int edit_distance(std::string_view a, std::string_view b, int limit) {
   const int rows = static_cast<int>(a.size()), columns = static_cast<int>(b.size());
   if (std::abs(rows - columns) > limit) return limit + 1;
-  std::vector<int> distance(b.size() + 1);  // of the first i letters of a and j letters of b
+  std::vector<int> distance(b.size() + 1);  // [j]: of the first i bytes of a and j bytes of b
   std::iota(distance.begin(), distance.end(), 0);
   for (int i = 1; i <= rows; ++i) {
     const int first = std::max(1, i - limit), last = std::min(columns, i + limit);
@@ -36,7 +38,8 @@ int edit_distance(std::string_view a, std::string_view b, int limit) {
   return std::min(distance[columns], limit + 1);
 }
 
-// Control characters, and those that show nothing or reverse the direction of writing.
+// Returns whether a character is a control character, shows nothing, or reverses the direction of
+// writing.
 bool misleads(char32_t c) {
   const auto in = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
   return c < 0x20 || in(0x7f, 0x9f) || c == 0xad || c == 0x61c || in(0x200b, 0x200f) ||
@@ -49,14 +52,14 @@ bool is_plain(char c) {
          std::string_view("_./- ").find(c) != std::string_view::npos;
 }
 
-// Blanks beyond ASCII's could not be told from it.
+// Returns whether a character misleads or is a blank beyond ASCII, which looks like ASCII's blank.
 bool shows_nothing(char32_t c) {
   return misleads(c) || c == 0xa0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200a) || c == 0x202f ||
          c == 0x205f || c == 0x3000;
 }
 
-// Calls found(character, its bytes) for each character until it returns true. Bytes that are no
-// UTF-8 come one by one. Returns whether it did.
+// Calls found(character, its bytes) for each character until found() returns true. Bytes that are
+// no UTF-8 come one by one as utf::illegal. Returns whether found() has returned true.
 template <class F>
 bool for_each_character(std::string_view text, F found) {
   while (!text.empty()) {
@@ -83,7 +86,8 @@ bool is_name(std::string_view text) {
 
 bool matches(std::string_view pattern, std::string_view name) {
   std::size_t p = 0, n = 0;
-  std::size_t star = std::string_view::npos, resume = 0;  // the last *, and what it leaves over
+  // Position of the last * in the pattern, and of the first character of the name after its match.
+  std::size_t star = std::string_view::npos, resume = 0;
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
       star = p++;

@@ -16,26 +16,29 @@ namespace desmo {
 struct RequestedEntity {
   enum class Kind { point, vector, coordinate };
   Kind kind;
-  int index;  ///< index in the mechanism's points, vectors or coordinates
-  Level level;
+  int index;    ///< index in the mechanism's points, vectors or coordinates
+  Level level;  ///< highest level requested
 };
 
-/// A requested function of the coordinates' values and rates, which is no coordinate itself.
+/// A requested quantity that is no coordinate, but computed from values and rates of coordinates.
 struct RequestedMeasure {
   enum class Kind {
-    rotation,  ///< of a body: its rotation from the drawing, angular velocity and acceleration
-    joint,     ///< turn about the axis, or travel along it, of the second body in the first
-    ratio,     ///< of two rates
+    rotation,  ///< a body's rotation from the drawing, angular velocity and angular acceleration
+    joint,     ///< angle about a joint's axis, travel along it, or both, of the second body in the
+               ///< first
+    ratio,     ///< ratio of the velocities of two coordinates
   };
   Kind kind;
-  int index;                        ///< in the mechanism's bodies or joints
-  Level level;                      ///< highest level requested; of a ratio: velocity
-  std::string name{};               ///< of a ratio
+  int index;                        ///< index in the mechanism's bodies or joints; ratio: none
+  Level level;                      ///< highest level requested; ratio: velocity
+  std::string name{};               ///< name of a ratio; else empty
   std::array<std::string, 2> of{};  ///< a ratio's coordinates, as Model::coordinate() knows them
-  bool by_pattern = false;          ///< only patterns ask for it, if there is one
+  /// Only patterns ask for it. An angle is then left out where a body does not tell how it turns.
+  bool by_pattern = false;
 };
 
-/// Default limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude.
+/// Default of Settings::tolerance, the limit of ‖Φ‖₂ of the whole model; relative, since each
+/// equation is divided by its natural magnitude.
 inline constexpr double default_tolerance = 1e-12;
 
 /// An analysis to be done: a mechanism, its drivers' motions, the instants and the request.
@@ -48,13 +51,13 @@ struct Scene {
   Mechanism mechanism;
   std::vector<Motion> motions;  ///< one for each driven coordinate, in the mechanism's order
   TimeGrid grid;                ///< instants to solve
-  /// Requested entities, without duplicates; empty, without measures: everything, at the level of
-  /// acceleration.
+  /// Requested entities, without duplicates. When these and `measures` are empty, everything is
+  /// requested, up to accelerations.
   std::vector<RequestedEntity> request{};
-  std::string formulation{};                 ///< id; empty: the program chooses
+  std::string formulation{};                 ///< id of a formulation; empty: the program chooses
   double tolerance = default_tolerance;      ///< Settings::tolerance
-  std::vector<RequestedMeasure> measures{};  ///< requested as well, without duplicates
-  /// Patterns that ask for measures of a kind; each must give one.
+  std::vector<RequestedMeasure> measures{};  ///< requested measures, without duplicates
+  /// Patterns that ask for measures, with their kind. Modelling refuses one that gives no measure.
   std::set<std::pair<RequestedMeasure::Kind, std::string>> patterns{};
 
   bool asks_for_everything() const { return request.empty() && measures.empty(); }

@@ -1,4 +1,4 @@
-// Compiled without fused operations: instants are start + i·step, each operation rounded.
+// Compiled without fused operations: each operation of an instant is rounded (TimeGrid::time()).
 #include <cmath>
 #include <stdexcept>
 

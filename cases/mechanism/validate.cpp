@@ -10,7 +10,9 @@ namespace {
 
 using Part = MechanismError::Part;
 
-// The parts of an entity's carriers that joints connect must be one part.
+// Refuses an entity whose carriers are not all connected by joints there or by fixed joints.
+// - joined, common: members for points or for vectors, as `part` is
+// - fixed: sets of bodies that fixed joints connect
 void check(const Mechanism& d, Part part, const Carriers& carriers,
            std::vector<int> Mechanism::Joint::*joined, int JointForm::*common,
            DisjointSets& fixed) {
@@ -24,7 +26,7 @@ void check(const Mechanism& d, Part part, const Carriers& carriers,
                    carriers.find({entity, joint.bodies[1]}));
     }
   }
-  std::vector<int> last(d.bodies.size(), -1);  // pair of a fixed set of bodies
+  std::vector<int> last(d.bodies.size(), -1);  // by set of fixed bodies: index of its last pair
   for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
     int& previous = last[fixed.find(pairs[i].body)];
     if (previous >= 0 && pairs[previous].entity == pairs[i].entity) shared.unite(previous, i);
@@ -40,7 +42,7 @@ void check(const Mechanism& d, Part part, const Carriers& carriers,
   }
 }
 
-// Joints must connect all bodies that carry the same point or vector there.
+// Checks that joints connect all bodies that carry the same point or vector there.
 void check_sharing(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
   DisjointSets fixed = fixed_bodies(d);
   check(d, Part::point, points, &Mechanism::Joint::points, &JointForm::common_points, fixed);
@@ -60,7 +62,7 @@ DisjointSets fixed_bodies(const Mechanism& d) {
 }
 
 void refuse(const Mechanism& d, Part part, int index, const std::string& what) {
-  // In the order of Part.
+  // Words for the parts, in the order of Part.
   static constexpr const char* kinds[] = {"mechanism", "point",      "vector",  "body",
                                           "joint",     "coordinate", "coupling"};
   const std::string& name = part == Part::point        ? d.points[index].name

@@ -8,14 +8,14 @@
 
 namespace desmo {
 
-/// A number in compensated arithmetic: value + correction, with an error of at most `radius`, but
-/// for the rounding of radii, which enclosure() adds. The correction takes up what each operation
-/// rounds off, so the radius is of the second order in the unit roundoff (Ogita, Rump & Oishi, SIAM
-/// J. Sci. Comput. 26, 2005). It suits residuals, where all leading digits cancel. S: double, or
-/// LaneNumbers for four numbers.
+/// A number in compensated arithmetic: value + correction, with an error of at most `radius`,
+/// except for the rounding of radii, which enclosure() adds. The correction takes up what each
+/// operation rounds off. So the radius of a result from exact operands is of the second order in
+/// the unit roundoff (Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26, 2005). It suits residuals,
+/// where all leading digits cancel. S: double, or LaneNumbers for four numbers.
 ///
-/// Assumptions: those of intervals; of angles above 2^21, sine and cosine of `long double` within
-/// one unit in its last place.
+/// Assumptions: IEEE arithmetic rounded to nearest; no operation is contracted to fma() by the
+/// compiler; for angles above 2^21 rad, those of library_turn().
 template <class S>
 struct Compensated {
   S value{0}, correction{0}, radius{0};
@@ -53,7 +53,7 @@ struct Compensated {
   }
   friend Compensated sqrt(const Compensated& a) {
     using std::sqrt;
-    // √a = v + R/(v + √a) with R = a − v², and v + √a is 2 v but for R/v
+    // √a = v + R/(v + √a) with R = a − v², and v + √a differs from 2 v by at most |R|/v.
     const S value = sqrt(a.value);
     const Compensated root(value, 0, 0), rest = a - root * root;
     const S far = size(rest.value + rest.correction) + rest.radius;
@@ -67,7 +67,7 @@ struct Compensated {
     const Turn<S> at = turn(a.value);
     return turned(a, at.cosine, at.of_cosine, -at.sine, at.off);
   }
-  /// Adds factor × x, where x is exact.
+  /// Adds factor × x to this number, where x is exact.
   void add_product(const Compensated& factor, const S& x) {
     using std::fma;
     const S product = factor.value * x;
@@ -82,11 +82,12 @@ struct Compensated {
   }
   /// Returns an interval that holds the number.
   BasicInterval<S> enclosure() const {
-    // Radii are sums of products, all positive: what 2^13 of them in a row lose by rounding.
+    // A radius is a sum of products that are not negative. The factor covers 2^13 roundings in a
+    // row, each of a relative 2^-53.
     constexpr double up = 1 + 0x1p-40;
     return BasicInterval<S>(value, radius * S(up)) + BasicInterval<S>(correction, S(0));
   }
-  /// Compares values without their corrections: splines search their knots by it.
+  /// Compares values without their corrections: splines find the interval of a time in this way.
   friend bool operator<(const Compensated& a, const Compensated& b) { return a.value < b.value; }
 
  private:
@@ -96,14 +97,16 @@ struct Compensated {
     using std::abs;
     return abs(x);
   }
-  /// Returns a radius but for its own rounding. rounded: sum of the numbers that were rounded.
+  /// Returns radius + 2^-53 · rounded, itself rounded to nearest.
+  /// - rounded: sum of the magnitudes of all rounded results
   static S bound(const S& radius, const S& rounded) {
     using std::fma;
     return fma(S(unit), rounded, radius);
   }
 
-  /// Returns value + rest/d. d: divisor, but for a relative error of at most `relative`, which 1/d
-  /// is off by `relative` / (1 − relative) for. Nothing is known where d may be half the divisor.
+  /// Returns value + rest/d for every d with |d − divisor| ≤ relative · |divisor|. The relative
+  /// error of 1/divisor is then at most relative / (1 − relative). The radius is infinite unless
+  /// relative < 1/2.
   static Compensated quotient(const S& value, const Compensated& rest, const S& divisor,
                               const S& relative) {
     constexpr double half = 0.5;
@@ -114,8 +117,8 @@ struct Compensated {
     return {value, correction, relative < half ? radius : S(INFINITY)};
   }
 
-  /// Returns the sine or cosine f of an angle a, from f at the double a.value.
-  /// - value + remainder: f(a.value), within `off`
+  /// Returns the sine or cosine f of an angle a [rad], from f at the double a.value.
+  /// - value + remainder: f(a.value), with an error of at most `off`
   /// - slope: f′(a.value), rounded to double
   static Compensated turned(const Compensated& a, const S& value, const S& remainder,
                             const S& slope, const S& off) {
@@ -123,7 +126,8 @@ struct Compensated {
     const S first = slope * a.correction;
     const S correction = remainder + first;
     const S e = size(a.correction) + a.radius;
-    // Half of e² and half of `off` exceed what `first` and the sum lose, 4 units of a.correction.
+    // e² is twice the second-order term. What is left of it, and what `off` exceeds the error of
+    // f(a.value) by, cover the roundings of `first` and of the sum: 4 · 2^-53 · |a.correction|.
     return {value, correction, off + size(slope) * a.radius + e * e};
   }
 };

@@ -13,7 +13,8 @@ using Number = Compensated<double>;
 
 Derived derived(const Number& x) { return {x.value, {x.correction, x.radius}}; }
 
-/// Returns a number times 2^exponent, exactly, so that squares neither overflow nor vanish.
+/// Returns a number times 2^exponent, so that squares neither overflow nor vanish. It is exact
+/// unless a part underflows.
 Derived scaled(const Derived& x, int exponent) {
   return {std::ldexp(x.value, exponent),
           {std::ldexp(x.correction, exponent), std::ldexp(x.radius, exponent)}};
@@ -39,7 +40,8 @@ Derived atan2(const Derived& y, const Derived& x) {
   const double angle = std::atan2(y.value, x.value);
   const int exponent = std::ilogb(std::max(std::abs(y.value), std::abs(x.value)));
   const Derived v = scaled(y, -exponent), u = scaled(x, -exponent);
-  // The direction seen from that of the rounded angle: its angle is the sine, but for sine³/5.
+  // `sine` is the sine of the angle from the direction of the rounded angle to (x, y). That angle
+  // differs from its sine by less than |sine|³/5.
   const Derived at_sine = derived(sin(Number(angle))), at_cosine = derived(cos(Number(angle)));
   Derived sine = (v * at_cosine - u * at_sine) / sqrt(u * u + v * v);
   sine.radius += std::pow(std::abs(sine.value + sine.correction) + sine.radius, 3) / 5;

@@ -7,19 +7,20 @@ namespace desmo {
 
 /// An interval in midpoint–radius form: it holds every real number within `radius` of `mid`.
 /// Each operation returns an interval that holds all results of numbers from its operands. The
-/// radius takes up the rounding of the midpoint and its own (Rump, Fast and parallel interval
+/// radius includes the rounding of the midpoint and of itself (Rump, Fast and parallel interval
 /// arithmetic, BIT 39, 1999). No operation switches the rounding mode, so all of them vectorise.
 /// S: double, or LaneNumbers for four intervals.
 ///
-/// What is assumed: IEEE arithmetic rounded to nearest; sine and cosine of the standard library are
-/// within one unit in the last place, and within ±1.
+/// Assumptions: IEEE arithmetic rounded to nearest; sine and cosine of the standard library have an
+/// error of at most one unit in the last place, and lie within ±1.
 ///
 ///   const Interval x(3), y(1, 0.1);
 ///   const Interval z = x * sin(y);   // holds 3 sin t for every t from 0.9 to 1.1
 template <class S>
 struct BasicInterval {
   static constexpr double unit = 0x1p-53;  ///< largest relative error of one rounding
-  /// Covers products that underflow; far below any length or rate.
+  /// Added to the radius of every result, so that it covers products that underflow. Intervals of
+  /// numbers near 1e-150 or less are thus wide.
   static constexpr double tiny = 0x1p-500;
 
   S mid{0}, radius{0};
@@ -54,7 +55,7 @@ struct BasicInterval {
   }
 
  private:
-  static constexpr double above = 1 + 8 * unit;  // covers seven roundings of a radius
+  static constexpr double above = 1 + 8 * unit;  // factor that covers seven roundings of a radius
 
   static S size(const S& x) {
     using std::abs;
@@ -63,10 +64,11 @@ struct BasicInterval {
   static BasicInterval rounded(const S& mid, const S& radius, double relative) {
     return {mid, (radius + S(relative) * size(mid)) * S(above) + S(tiny)};
   }
-  /// Returns a sine or cosine from its value and its slope at the midpoint.
+  /// Returns the sine or cosine of an interval from its value and its slope at the midpoint.
   static BasicInterval turned(const BasicInterval& a, const S& value, const S& slope) {
     using std::min;
-    // |f(a + e) − f(a)| ≤ |f′(a)| |e| + e²/2. The slope is off by two roundings, five follow.
+    // |f(a + e) − f(a)| ≤ |f′(a)| |e| + e²/2. The error of the slope counts as two roundings; five
+    // more follow, seven in all.
     constexpr double last_place = 2 * unit, range = 2;
     const BasicInterval result =
         rounded(value, a.radius * (size(slope) + a.radius * S(0.5)), last_place);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Products of vectors in space, for any scalar, and turns.
+// Products and rotations of vectors in space, for any scalar S.
 
 #include <array>
 #include <cmath>

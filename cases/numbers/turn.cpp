@@ -12,7 +12,7 @@ struct Direction {
   Derived cosine, sine;
 };
 
-/// Returns the turn by half the angle, of an angle up to π/2.
+/// Returns the direction at half the angle of `a`, which is between 0 and π/2.
 Direction half(const Direction& a) {
   const Derived cosine = sqrt((Derived(1) + a.cosine) / Derived(2));
   return {cosine, a.sine / (Derived(2) * cosine)};

@@ -7,18 +7,20 @@
 
 namespace desmo {
 
-/// Sine and cosine of an angle: doubles, and what these lack. S: double, or LaneNumbers for four.
+/// Sine and cosine of an angle, each as a rounded number and its remainder: sine + of_sine and
+/// cosine + of_cosine. S: double, or LaneNumbers for four angles.
 template <class S>
 struct Turn {
   S sine, of_sine, cosine, of_cosine;
-  S off;  ///< bound of the error of both
+  S off;  ///< bound on the absolute error of either sum
 };
 
-/// Turns by k π/64, k from 0 to 127, each within 2^-95; computed once.
+/// Returns sine and cosine of k π/64 for k = 0 … 127, computed at the first call. The error of each
+/// is at most 2^-95, and `off` is 0.
 const std::array<Turn<double>, 128>& table_of_turns();
 
-/// Returns sine and cosine of an angle [rad] as long double has them. Within a unit in its last
-/// place, as libraries promise, and slow.
+/// Returns sine and cosine of an angle [rad], computed in long double, which is slow. Assumes that
+/// the library's error is at most one unit in the last place of long double.
 inline Turn<double> library_turn(double angle) {
   const long double x = angle, s = std::sin(x), c = std::cos(x);
   const double sine = static_cast<double>(s), cosine = static_cast<double>(c);
@@ -26,10 +28,11 @@ inline Turn<double> library_turn(double angle) {
           2 * LDBL_EPSILON};
 }
 
-/// Returns sine and cosine of an angle [rad], as double, remainder and a bound of the error. The
-/// angle is k π/64 + r: a turn from the table, and Taylor's series about it, whose leading terms
-/// are kept whole. It holds where operations stay as they are written (-ffp-contract=off). Where an
-/// angle of any lane exceeds 2^21 in magnitude, the library computes all.
+/// Returns sine and cosine of an angle [rad], as double, remainder and a bound on the error. The
+/// angle is k π/64 + r: sine and cosine of k π/64 are in the table, those of r are Taylor series,
+/// whose leading terms keep what they round off. The bound holds where operations stay as they are
+/// written (-ffp-contract=off). Where the angle of any lane is above 2^21 in magnitude, or is NaN,
+/// library_turn() computes all lanes.
 template <class S>
 Turn<S> turn(const S& angle) {
   using std::fma;
@@ -70,7 +73,7 @@ Turn<S> turn(const S& angle) {
   // π/64, of 27 and 25 bits, are exact, and so is the first difference.
   constexpr double per_step = 0x1.45f306dc9c883p4, whole = 0x1.8p52;
   constexpr double high = 0x3.243f6a8p-6, middle = 0x0.885a308p-34, low = 0x0.d313198a2e037p-62;
-  const S k = (angle * S(per_step) + S(whole)) - S(whole);  // the nearest
+  const S k = (angle * S(per_step) + S(whole)) - S(whole);  // rounded to an integer
   const S first = angle - k * S(high), second = k * S(middle);
   const S difference = first - second, of_second = first - difference;
   const S lost = (first - (difference + of_second)) + (of_second - second);
@@ -93,7 +96,7 @@ Turn<S> turn(const S& angle) {
 
   const std::array<Turn<double>, 128>& table = table_of_turns();
   for_each_lane([&](int i) { put(i, table[static_cast<long>(lane(k, i)) & 127]); });
-  // a (1 + c + of_c) + b (r + s), with what a and b lack.
+  // Computes a (1 + c + of_c) + b (r + s), where of_a and of_b are the remainders of a and b.
   const auto combined = [&](const S& a, const S& of_a, const S& b, const S& of_b, S& value,
                             S& remainder) {
     const S of_sine = b * r, of_cosine = a * c;
@@ -110,7 +113,8 @@ Turn<S> turn(const S& angle) {
   Turn<S> result;
   combined(all.sine, all.of_sine, all.cosine, all.of_cosine, result.sine, result.of_sine);
   combined(all.cosine, all.of_cosine, -all.sine, -all.of_sine, result.cosine, result.of_cosine);
-  result.off = S(0x1p-68);  // with three roundings by 2^-71.6 of sums that hold s
+  // Covers the errors of sin r and cos r, and three roundings of sums with s, 2^-71.6 each.
+  result.off = S(0x1p-68);
   return result;
 }
 
