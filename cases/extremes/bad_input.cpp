@@ -21,7 +21,7 @@ ExtremeCase refused(ExtremeCase c) {
   return c;
 }
 
-/// The last dyad is what `damage` makes of it.
+/// Makes a case that must be refused: `damage` changes the last dyad.
 ExtremeCase damaged(std::string name, void (*damage)(Dyad&)) {
   DyadChain chain = usual_chain(2, chain_start);
   damage(chain.dyads.back());
@@ -33,14 +33,15 @@ ExtremeCase driven_by(std::string name, Motion motion) {
                  grid);
 }
 
-/// sin(ω t) is no number once ω t has overflowed, here after 1.8 s, and nothing before: its
-/// amplitude is 0.
+/// Returns a motion that is NaN after `seconds`: there ω t of its second term overflows, and the
+/// sine of infinity is NaN. Until then this term is 0, since its amplitude is 0.
 Motion not_a_number_from(double seconds) {
   const double overflowing = std::numeric_limits<double>::max() / seconds;
   return HarmonicSum{chain_start, {{1, 0.5, 0}, {0, overflowing, 0}}};
 }
 
-/// 1e-100 t¹⁶⁰ is beneath notice before 4 s and has overflowed at 500 s.
+/// Returns a motion with the term 1e-100 t¹⁶⁰, which is below 1e-23 up to 3 s and has overflowed at
+/// 500 s.
 Motion infinite_at_500_s() {
   std::vector<Derived> coefficients(161);
   coefficients[0] = chain_start;
@@ -64,7 +65,7 @@ std::vector<ExtremeCase> bad_input(Extent) {
                   }),
           damaged("a rocker's pivots coincide", [](Dyad& d) { d.pivot = d.joint; }),
           refused(driven_by("a motion with NaN", Polynomial{{chain_start, nan}})),
-          // Nobody can tell a phase of 1e308 rad, whatever its amplitude.
+          // No proof encloses the sine of a phase near 1e308 rad, even if its amplitude is 0.
           may_fail(driven_by("a driver NaN after 1.75 s", not_a_number_from(1.75))), infinite};
 }
 

@@ -1,4 +1,4 @@
-// Row 9: estimates that are exact, or far off.
+// Row 9: initial estimates that are exact, or far off.
 #include <string>
 
 #include "cases/extremes/rows.h"
@@ -14,7 +14,7 @@ constexpr TimeGrid only_start{0, 1, 1};
 ExtremeCase off_by(ExtremeCase c, double off, int count) {
   c.name += formatted(", %g %% off", 100 * off);
   c.starts = {count, off};
-  c.may_fail = off > 0;  // an exact start is never made worse
+  c.may_fail = off > 0;  // an exact start must give the answer
   return c;
 }
 

@@ -27,7 +27,8 @@ ExtremeCase library_in(std::string_view name, std::string case_name, double step
   return may_fail({.name = std::move(case_name), .scene = std::move(scene)});
 }
 
-/// Drawn beneath its base: a mirrored position, which the same lengths of its legs allow.
+/// Makes the Stewart platform drawn beneath its base, mirrored at the base's plane. The same
+/// lengths of the legs allow this position.
 ExtremeCase platform_beneath(double step) {
   ExtremeCase c =
       library_in("stewart", steps("Stewart platform beneath its base", step, "s"), step, 9);
@@ -40,13 +41,14 @@ ExtremeCase platform_beneath(double step) {
   return c;
 }
 
-/// Four equal links. In 0.01 rad from π, where it turns back, both branches are nearly one.
+/// Makes a four-bar of four equal links. Its crank turns back 0.012 rad before π, where both
+/// branches are nearly one.
 ExtremeCase folding_rhombus(double step) {
   const Motion there_and_back = HarmonicSum{2, {{1.13, 1, 0}}};
   ExtremeCase c =
       may_fail(case_of(steps("folding rhombus", step, "s"), std::vector{one_dyad(2, 2, 2, 2, 2)},
                        {there_and_back}, {0, step, 31}));
-  c.factor = 100;  // what is promised
+  c.factor = 100;  // wider than usual: the instants near π are nearly singular
   return c;
 }
 

@@ -9,18 +9,20 @@ namespace desmo::extremes {
 
 namespace {
 
-/// Coupler and rocker of 5 and 3 are stretched over 8 at θ = π, to the last bit.
+/// Makes a case next to θ = π, where coupler and rocker, of 5 and 3, are stretched: there the
+/// distance that they span is 8, to the last bit.
+/// - family: words for the way in which the crank moves; distance: that from θ = π [rad]
 ExtremeCase beside(const char* family, double distance, const Motion& crank, const TimeGrid& grid) {
   const DyadChain chain = one_dyad(2, sample(crank, grid.start).position, 6, 5, 3);
   ExtremeCase c =
       case_of(formatted("%s, %.0e rad beside, steps of 1/%.0f s", family, distance, 1 / grid.step),
               std::vector{chain}, {crank}, grid);
   c.may_fail = true;
-  c.factor = 1000;  // more than is promised, which degraded runs may need
+  c.factor = 1000;  // wider than usual, since degraded runs may need it
   return c;
 }
 
-/// A crank of 2 · 10⁻ᵏ turns between links of 6.
+/// Makes a four-bar whose crank, of length 2 · scale, turns between links of 6.
 ExtremeCase small_crank(double scale) {
   return may_fail(case_of(formatted("a crank %.0e as long as the links", scale / 3),
                           one_dyad(2 * scale, chain_start, 6, 6, 6), 1, {0, 0.125, 33}));

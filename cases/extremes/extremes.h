@@ -11,61 +11,67 @@
 
 namespace desmo {
 
-/// Bound on the error of an extreme's answers. The *floor* is the error that conditioning and the
-/// rounding of the drivers allow in double precision at a level.
+/// Bound on the errors of a case's answers, all of them relative. The *floor* is the error at a
+/// level, in double precision, that conditioning and the rounding of the drivers explain.
 enum class Bound {
-  floor,       ///< factor × floor
-  length,      ///< position: factor × ε × links × longest link + 10 × floor; else 10 × floor
+  floor,  ///< factor × floor
+  length,  ///< position: factor × ε × dyads × longest link / size + 10 × floor; else 10 × floor
   tolerance,   ///< factor × max(tolerance, floor)
-  first_case,  ///< factor × error of the row's first case, or floor; iterations ±1 a step
-  first_part,  ///< factor × error of the first half of the compared instants, or floor
-  new_pivots,  ///< factor × error with a new factorisation at each position, or floor
+  first_case,  ///< max(factor × largest error of the row's first case, floor); iterations of each
+               ///< step within ±1 of that case's
+  first_part,  ///< 10 × max(tolerance, floor) in the first half of the compared instants; then
+               ///< max(factor × largest error of that half, floor)
+  new_pivots,  ///< max(factor × largest error with a new factorisation at each position, floor)
   fixed,       ///< position: factor, relative to the mechanism's size; else 10 × floor
-  estimates,   ///< the stated bound, itself at most factor × that of tolerance or floor
+  estimates,   ///< the radius stated with each instant; the largest stated position radius is at
+               ///< most factor × max(tolerance, condition number × 2^-53), and grows by the
+               ///< condition number from level to level
 };
 
-/// A mechanism and a motion of an extreme, and what is expected of every formulation. It must give
-/// an answer within the bound where one exists, and a flag where none does.
+/// A mechanism and a motion at an extreme, and the answers expected of every formulation. It must
+/// deliver numbers within the bound where an answer exists, and a flag where none does. A *flag*
+/// marks an instant as failed, not proven, or on another branch.
 struct ExtremeCase {
   std::string name;  ///< unique within the row
   Scene scene;
-  /// Chains that the mechanism consists of, if nothing else: a closed form then gives the answers.
+  /// Dyad chains, where the mechanism consists of these alone: a closed form then gives the
+  /// answers.
   std::vector<DyadChain> chains = {};
   Bound bound = Bound::tolerance;
-  double factor = 10;
+  double factor = 10;  ///< factor in the bound
   /// Settings as suffixes of an id (formulations/id.h), for instance "/jacobian:step".
   std::string settings = {};
 
-  /// Number of instants compared at the beginning, and as many at the end. 0: 201 or fewer, spread
-  /// over all.
+  /// Number of instants compared at the beginning, and as many at the end. 0: at most 201, spread
+  /// over the motion; all of the `starts`.
   int compared_at_ends = 0;
-  /// Singularity of the last instant, which a mechanism without a closed form has to state.
+  /// The last instant is singular and has no answer. To be set for mechanisms other than chains.
   bool ends_singular = false;
 
-  bool may_fail = false;       ///< a flag is as good as an answer
-  bool past_failures = false;  ///< the run continues after a gap, whose ends it finds to 1e-9 s
-  bool is_refused = false;     ///< it is rejected before solving, or at the first instant
+  bool may_fail = false;       ///< a flag is accepted where an answer exists, too
+  bool past_failures = false;  ///< the run continues after a gap; its ends must be right to 1e-9 s
+  bool is_refused = false;     ///< it must be rejected before solving, or fail at the first instant
   bool is_redundant = false;   ///< dependent equations must be reported
-  std::string failing_body{};  ///< body in the group that a failure must name
-  std::string idle_body{};     ///< body whose freedom to spin must be reported
+  std::string failing_body{};  ///< a failure must name the group of this body; empty: no demand
+  std::string idle_body{};     ///< freedom of this body to spin must be reported; empty: no demand
 
-  /// Assemblies from random initial estimates instead of a motion. An estimate is off by up to
-  /// `off` times the nominal magnitudes, and determines the branch.
+  /// Assemblies from random initial estimates instead of a motion. Each estimate determines the
+  /// branch of its answer.
   struct Starts {
-    int count;
-    double off;
+    int count;   ///< number of estimates
+    double off;  ///< largest error of a coordinate's estimate, divided by its nominal magnitude
   };
   std::optional<Starts> starts = {};
 };
 
-/// Number of cases of an extreme to make: those that take seconds, or all.
+/// Cases of an extreme to make: a selection that takes seconds (brief), or all (full).
 enum class Extent { brief, full };
 
-/// Row of the table of extremes.
+/// A row of the table of extremes.
 struct Extreme {
   int number;
   std::string_view name;
-  std::string_view extreme, expected;  ///< texts for people
+  std::string_view extreme, expected;  ///< texts for people: the difficulty, the expected answer
   std::vector<ExtremeCase> (*cases)(Extent extent);
 };
 

@@ -5,7 +5,8 @@ namespace desmo::extremes {
 
 namespace {
 
-/// The second dyad reaches over 10.5, its ends are up to 11.3 apart.
+/// Returns a chain whose second dyad locks: it spans at most 10.5, and its ends would come to be up
+/// to 11.3 apart.
 DyadChain locking() {
   DyadChain chain = usual_chain(1, 0.25);
   add_dyad(chain, 12, 6, 4.5);

@@ -8,8 +8,8 @@ namespace desmo::extremes {
 
 namespace {
 
-/// Couplers as long as the distance of the pivots, different ones: the rockers stay parallel, so
-/// that any number of dyads can follow.
+/// Makes a chain of parallelograms: each coupler is as long as its pivots are apart, which differs
+/// from dyad to dyad. All rockers stay parallel, so that any number of dyads can follow.
 DyadChain unequal(int dyads) {
   DyadChain chain{.crank = 2, .start = chain_start, .dyads = {}};
   double pivot = 0;
@@ -21,7 +21,7 @@ DyadChain unequal(int dyads) {
   return chain;
 }
 
-/// A quarter of a turn in a few steps.
+/// Ten steps over 1.5 s, in which the crank turns by 1.5 rad.
 constexpr TimeGrid long_chain_grid{0, 0.15, 11};
 
 ExtremeCase chain_case(const std::string& lengths, const DyadChain& chain) {
@@ -29,7 +29,7 @@ ExtremeCase chain_case(const std::string& lengths, const DyadChain& chain) {
                           long_chain_grid);
   c.bound = Bound::length;
   c.factor = 16;
-  c.scene.tolerance = 1e-16;  // as far as rounding lets it
+  c.scene.tolerance = 1e-16;  // below rounding, which then ends the iteration
   return c;
 }
 
@@ -38,7 +38,7 @@ ExtremeCase nothing_moves() {
   d.set_length_unit("1");
   d.carry(MechanismBuilder::ground, {d.point("A", {0, 0, 0}), d.point("B", {1, 0, 0})});
   ExtremeCase c{.name = "no group", .scene = {"ground", d.release(), {}, long_chain_grid}};
-  c.is_refused = true;  // nothing is left to be solved, which the message says
+  c.is_refused = true;  // there is no unknown
   return c;
 }
 

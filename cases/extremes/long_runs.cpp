@@ -1,5 +1,5 @@
-// Row 8: growth of the error with time. The crank's angle is a floating-point number at every
-// instant, so that it is not rounded.
+// Row 8: growth of the error with time. The crank's angle at every instant is a double, so that the
+// driver adds no rounding.
 #include "cases/extremes/rows.h"
 
 namespace desmo::extremes {

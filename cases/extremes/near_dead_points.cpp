@@ -14,12 +14,12 @@ std::vector<ExtremeCase> near_dead_points(Extent extent) {
       const bool is_corner = (slack == 1e-2 || slack == 1e-6 || slack == 1e-12) &&
                              (way == 1e-1 || way == 1e-3 || way == 1e-5);
       if (extent == Extent::brief && !is_corner) continue;
-      // At θ = π coupler and rocker reach over 8, and are longer by `slack`.
+      // At θ = π coupler and rocker span a distance of 8, and are together longer by `slack`.
       const DyadChain chain = one_dyad(2, std::numbers::pi - way, 6, 5, 3 + slack);
       all.push_back(case_of(formatted("slack %.0e, within %.0e rad", slack, way), chain, 2 * way,
                             {0, 0.05, 21}));
       all.back().bound = Bound::floor;
-      all.back().scene.tolerance = 1e-16;  // as far as rounding lets it
+      all.back().scene.tolerance = 1e-16;  // below rounding, which then ends the iteration
     }
   return all;
 }

@@ -19,8 +19,8 @@ using Vec = Mechanism::Vec;
 
 constexpr TimeGrid redundant_grid{0, 0.02, 51};
 
-/// Three cranks of length 1 carry a coupler, where two would do. The second pin of the coupler is
-/// `off` its place.
+/// Makes three parallel cranks of length 1 that carry a coupler, where two would do. The second pin
+/// of the coupler is shifted by `off` along x.
 ExtremeCase parallel_cranks(std::string name, double off) {
   constexpr double start = 1;
   MechanismBuilder d("parallel_cranks", 2);
@@ -42,12 +42,12 @@ ExtremeCase parallel_cranks(std::string name, double off) {
           .scene = {"parallel_cranks", d.release(), {Polynomial{{start, 1}}}, redundant_grid}};
 }
 
-/// Bricard's mechanism with right angles: six edges of a cube, hinged at its corners. The fourth
-/// corner is `off` its place.
+/// Makes Bricard's mechanism with right angles: six edges of a cube, hinged at its corners. The
+/// fourth corner is shifted by `off` along z.
 ExtremeCase bricard(std::string name, double off) {
   const std::array<Vec, 6> corners{
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1 + off}, {0, 1, 1}, {0, 0, 1}}};
-  // Each at right angles to both edges that it joins.
+  // Each axis is at right angles to both edges that it joins.
   constexpr std::array<Vec, 6> axes{
       {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
   MechanismBuilder d("bricard", 3);
@@ -63,15 +63,15 @@ ExtremeCase bricard(std::string name, double off) {
           .scene = {"bricard", d.release(), {Polynomial{{0, 0.5}}}, redundant_grid}};
 }
 
-/// Bennett's mechanism, drawn with its crank at `start`. Where the crank is folded, some of its
-/// equations do not tell how it moves on.
+/// Makes Bennett's mechanism, drawn with its crank at `start` [rad]. Where the crank is folded, at
+/// π, some of the equations do not tell how the mechanism moves on.
 ExtremeCase bennett(std::string name, double start, Polynomial motion, double tolerance = 1e-12) {
   MechanismBuilder d("bennett", 3);
   d.set_length_unit("1");
   add_linkage(d, bennett_links(start, 1, 0.7, 1.6));
   return {.name = std::move(name),
           .scene = {"bennett", d.release(), {std::move(motion)}, redundant_grid, {}, {}, tolerance},
-          .factor = 100};  // what is promised
+          .factor = 100};  // wider than usual: equations near the folded position are dependent
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ ExtremeCase as_first(ExtremeCase c) {
 ExtremeCase scaled(double scale) {
   ExtremeCase c = as_first(
       case_of(formatted("× %.0e", scale), usual_chain(3, chain_start, scale), 1, scale_grid));
-  c.may_fail = scale * scale * 1e-16 < 1e-308;  // roundings of squares underflow: no proof
+  c.may_fail = scale * scale * 1e-16 < 1e-308;  // no proof where roundings of squares underflow
   return c;
 }
 
@@ -34,7 +34,8 @@ ExtremeCase both() {
       case_of("× 1e-9 and × 1e9 in one", {small, large}, {turning, turning}, scale_grid));
 }
 
-/// A four-bar of 60 mm at the end of an arm [m] that turns [rad/s].
+/// Makes a four-bar with links of 60 mm at the end of an arm.
+/// - arm: its length [m]; rate: its angular velocity [rad/s]
 ExtremeCase on_arm(std::string name, double arm, double rate = 1e-7) {
   constexpr double crank = 0.02, link = 0.06, start = 1;
   MechanismBuilder d("four_bar_on_arm", 2);
@@ -60,7 +61,7 @@ ExtremeCase on_arm(std::string name, double arm, double rate = 1e-7) {
                     d.release(),
                     {Polynomial{{0, rate}}, Polynomial{{start, 1}}},
                     scale_grid},
-          .factor = 1000};  // rounding of points so far away
+          .factor = 1000};  // coordinates as large as the arm are rounded more coarsely
 }
 
 }  // namespace

@@ -13,15 +13,15 @@ namespace desmo::extremes {
 
 namespace {
 
-/// From -1 rad to 0, where it ends, in steps of 1/8.
+/// Makes a case whose crank turns from −1 rad to 0 in steps of 1/8 rad, and ends there.
 ExtremeCase to_zero(std::string name, const DyadChain& chain) {
   ExtremeCase c = case_of(std::move(name), chain, 1, {0, 0.125, 9});
-  c.factor = 100;  // what is promised of instants before
+  c.factor = 100;  // wider than usual for the instants before the singular one
   return c;
 }
 
-/// The N-four-bar of the benchmark literature: parallel cranks one after the other, all of them in
-/// one line at the end.
+/// Makes the N-four-bar of the benchmark literature: parallel cranks one after the other, all of
+/// them in one line when the crank is at 0.
 DyadChain aligned(int dyads) {
   DyadChain chain{.crank = 1, .start = -1, .dyads = {}};
   for (int k = 1; k <= dyads; ++k) add_dyad(chain, 2.0 * k, 2, 1, -1);
@@ -32,7 +32,9 @@ const Mechanism::Vec& point(const Mechanism& d, const std::string& name) {
   return std::ranges::find(d.points, name, &Mechanism::Point::name)->position;
 }
 
-/// The length of leg `number` of the Stewart platform that has been turned about its axis.
+/// Returns the length [m] of a leg of the Stewart platform after a rotation about the vertical
+/// axis.
+/// - number: "1" … "6"; yaw: angle of the rotation [rad]
 double leg_length(const Mechanism& platform, const std::string& number, double yaw) {
   const auto [ax, ay, az] = point(platform, "A" + number);
   const auto [bx, by, bz] = point(platform, "B" + number);
@@ -40,8 +42,8 @@ double leg_length(const Mechanism& platform, const std::string& number, double y
   return std::hypot(c * bx - s * by - ax, s * bx + c * by - ay, bz - az);
 }
 
-/// The legs turn the platform by 90° in a second, where their lengths no longer tell which way it
-/// turns on (Fichter 1986).
+/// Makes a case in which the legs turn the platform by 90° in a second. There their lengths no
+/// longer tell which way it turns on (Fichter 1986).
 ExtremeCase yawing_platform() {
   constexpr int knots = 101;
   Scene scene = library_scene("stewart");
@@ -63,7 +65,7 @@ ExtremeCase yawing_platform() {
 }  // namespace
 
 std::vector<ExtremeCase> singular_positions(Extent) {
-  // Coupler and rocker of 5 and 3 are stretched over 8.
+  // "dead point": coupler and rocker, of 5 and 3, are stretched over a distance of 8 at 0.
   return {to_zero("dead point", one_dyad(2, -1, -6, 5, 3)),
           to_zero("parallel cranks in line", aligned(1)),
           to_zero("8 parallel cranks in line", aligned(8)), yawing_platform()};

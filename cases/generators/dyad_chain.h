@@ -12,16 +12,16 @@ namespace desmo {
 struct DyadChain {
   struct Dyad {
     Mechanism::Vec pivot;    ///< pivot of the rocker on the ground
-    double coupler, rocker;  ///< lengths
-    /// Approximate joint of coupler and rocker. Its side of the line from the coupler's start to
-    /// the pivot is the dyad's branch.
+    double coupler, rocker;  ///< lengths of the links
+    /// Approximate position of the joint of coupler and rocker. Its side of the line from the
+    /// coupler's start to the pivot determines the dyad's branch.
     Mechanism::Vec joint;
     double angle;  ///< approximate angle of the rocker [rad]
   };
 
-  double crank;             ///< length
+  double crank;             ///< length of the crank
   double start;             ///< initial angle of the crank [rad]
-  std::vector<Dyad> dyads;  ///< one structural group each, after the crank's
+  std::vector<Dyad> dyads;  ///< dyads along the chain; each is a structural group
   std::string prefix = {};  ///< prefix of all names
 };
 
@@ -31,9 +31,9 @@ void add(MechanismBuilder& builder, const DyadChain& chain);
 /// Returns the initial position of the crank's pin.
 Mechanism::Vec crank_pin(const DyadChain& chain);
 
-/// Returns a dyad that starts at `from` and is closed there. Its joint lies to the left of the line
-/// from `from` to `pivot` for side 1, to the right for -1. A dyad that cannot be closed is
-/// stretched along this line.
+/// Returns a dyad whose coupler starts at `from`, with the joint where both lengths hold. The joint
+/// lies to the left of the line from `from` to `pivot` for side 1, to the right for −1. Where the
+/// lengths do not meet, the joint is put on this line.
 DyadChain::Dyad closed_dyad(const Mechanism::Vec& from, const Mechanism::Vec& pivot, double coupler,
                             double rocker, int side);
 

@@ -21,12 +21,13 @@ Vec unit(const Vec& a) {
   const double n = std::sqrt(dot(a, a));
   return {a[0] / n, a[1] / n, a[2] / n};
 }
-/// The unit vector along a × b.
+/// Returns the unit vector along a × b.
 Vec normal(const Vec& a, const Vec& b) { return unit(cross(a, b)); }
 
 constexpr Vec x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
 
-/// Describes one axle after the other; positions are relative to the axle's origin.
+/// Builder of the truck suspension, one axle after the other. Positions are relative to the origin
+/// of the axle under construction.
 class Builder {
  public:
   Builder() : d_("truck_suspension", 3), y1_(d_.vector("y1", y_axis)) {
@@ -58,7 +59,7 @@ class Builder {
     return d_.vector(axle_ + name, direction);
   }
 
-  /// Bodies 2 to 5: the rigid axle, the upper arm and the lower rods.
+  /// Adds bodies 2 to 5, the rigid axle, the upper arm and the lower rods, and drives both wheels.
   void add_axle_and_arms(int a) {
     const Vec s{0, 0, 0.25}, c4{0, 0.5, -0.15}, c5{0, -0.5, -0.15};
     const Vec r{0.6, 0, 0.30}, g4{0.8, 0.45, -0.15}, g5{0.8, -0.45, -0.15};
@@ -95,7 +96,7 @@ class Builder {
     motions_.push_back(HarmonicSum{0.5, {term}});
   }
 
-  /// Lever and link of the stabiliser bar; side is +1 on the left.
+  /// Adds the lever and the link of the stabiliser bar; side is +1 on the left, −1 on the right.
   void add_stabiliser(const std::string& lever, const std::string& link, int side) {
     const Vec a{-0.2, side * 0.6, 0}, b{-0.5, side * 0.6, 0.05}, g{-0.5, side * 0.65, 0.45};
     const Vec nominal_e = unit(b - a), nominal_u = normal(nominal_e, b - g);
@@ -138,7 +139,7 @@ class Builder {
   int y1_;
   std::vector<Motion> motions_;
   std::string axle_;  ///< prefix of the names of the axle under construction
-  Vec origin_{};      ///< its origin
+  Vec origin_{};      ///< origin of the axle under construction
   int rigid_axle_ = 0, x2_ = 0, y2_ = 0, z2_ = 0;
 };
 

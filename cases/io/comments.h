@@ -6,7 +6,8 @@
 namespace desmo {
 
 /// Returns a JSON text with blanks in place of its comments, `// …` to the end of the line and
-/// `/* … */`, so that everything else keeps its place. A comment without an end stays.
+/// `/* … */`, so that everything else keeps its place. Line ends within comments stay, and so does
+/// a `/*` without `*/`.
 std::string without_comments(std::string_view text);
 
 }  // namespace desmo

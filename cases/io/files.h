@@ -14,11 +14,12 @@ namespace desmo {
 // to metres (or the mechanism's free unit) and radians. Functions that read throw InputError for a
 // fault in a file. file_name: the name of the text in messages.
 
-/// Return a mechanism that has passed validate().
+/// Return a mechanism that has passed validate(). Table files are read relative to the folder of
+/// the mechanism's file.
 Mechanism parse_mechanism(std::string_view text, const std::string& file_name);
 Mechanism read_mechanism(const std::filesystem::path& file);
 
-/// Return a scene. A mechanism file that it names is read relative to `folder`.
+/// Return a scene. Files that it names are read relative to `folder`, or to the folder of its file.
 ///
 ///   const Scene scene = read_scene("crank.scene.json");
 ///   std::puts(write_mechanism(scene.mechanism).c_str());
@@ -30,8 +31,8 @@ Scene read_scene(const std::filesystem::path& file);
 /// std::invalid_argument, with the nearest names, when there is none of that name.
 Scene library_scene(std::string_view name);
 
-/// Returns the text of a mechanism file that describes the same mechanism, in metres and radians:
-/// numbers of a file in other units are rounded.
+/// Returns the text of a mechanism file that describes the same mechanism, in metres (or the free
+/// unit) and radians. Each number is written as one double, without its remainder.
 std::string write_mechanism(const Mechanism& mechanism);
 
 }  // namespace desmo

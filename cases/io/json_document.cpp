@@ -13,8 +13,8 @@
 namespace desmo {
 namespace {
 
-constexpr std::size_t deepest_nesting = 32;
-constexpr std::size_t max_values = 10'000'000;
+constexpr std::size_t deepest_nesting = 32;     // number of arrays and objects in one another, ≤
+constexpr std::size_t max_values = 10'000'000;  // number of values in a document, ≤
 
 std::string line_and_column(std::string_view text, std::size_t at) {
   const std::string_view before = text.substr(0, at);
@@ -25,7 +25,7 @@ std::string line_and_column(std::string_view text, std::size_t at) {
   return "line " + std::to_string(lines + 1) + ", column " + std::to_string(characters(line) + 1);
 }
 
-// The word or number around a position.
+// Returns the word or number around a position of a text, in lower case.
 std::string word_at(std::string_view text, std::size_t at) {
   const auto belongs = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.';
@@ -43,9 +43,9 @@ bool is_not_finite(std::string_view word) {
   return word == "nan" || word == "inf" || word == "infinity";
 }
 
-// "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error while parsing
-// value - unexpected ']'; expected …" without its preliminaries and the text it read last, which
-// can be of any length.
+// Returns a message of the library, such as "[json.exception.parse_error.101] parse error at line
+// 1, column 5: syntax error while parsing value - unexpected ']'; expected …", from "syntax" on.
+// Leaves out the text that it read last, which can be of any length.
 std::string library_message(const char* what) {
   std::string_view message = what;
   if (const auto id = message.find("] "); id != message.npos) message.remove_prefix(id + 2);
@@ -81,8 +81,9 @@ std::string pointer_token(std::string_view key) {
 
 }  // namespace
 
-// Receives the events of nlohmann's parser. Its own tree of values would be slow to search and, in
-// the order of the file, take quadratic time to build.
+// Receiver of the events of nlohmann's parser, which adds nodes to a document. The library's own
+// tree would be slow to search and, with members in the order of the file, take quadratic time to
+// build.
 class JsonDocument::Builder {
  public:
   Builder(JsonDocument& document, std::string_view text) : document_(document), text_(text) {}
@@ -95,7 +96,7 @@ class JsonDocument::Builder {
   }
   bool number_float(double value, const std::string&) { return add(Kind::number, value); }
   bool string(const std::string& value) { return add(Kind::string, 0, store(value)); }
-  bool binary(const std::vector<std::uint8_t>&) { return false; }  // not in text
+  bool binary(const std::vector<std::uint8_t>&) { return false; }  // JSON text has no such values
 
   bool start_object(std::size_t) { return open(Kind::object); }
   bool end_object() { return close(); }
@@ -161,7 +162,7 @@ class JsonDocument::Builder {
   JsonDocument& document_;
   std::string_view text_;
   std::vector<Open> open_;
-  Span key_;  // of the next value
+  Span key_;  // key of the next value; empty in an array
 };
 
 JsonDocument::JsonDocument(std::string_view text, std::string file_name)
@@ -172,13 +173,14 @@ JsonDocument::JsonDocument(std::string_view text, std::string file_name)
     complain("top level", "the text is empty; give one JSON object");
   Builder builder(*this, text);
   nlohmann::json::sax_parse(plain, &builder);
-  if (const auto zero = text.find('\0'); zero != text.npos)  // which the library takes for the end
+  if (const auto zero = text.find('\0'); zero != text.npos)  // the library takes it for the end
     complain(line_and_column(text, zero), "a byte of value 0 is no text; leave it out");
 }
 
 JsonValue JsonDocument::root() const { return {this, 0}; }
 
-// From the root down: what contains the node is the last child that begins before or at it.
+// Goes from the root down: at each level, the child with the node in it is the last one that begins
+// before the node or is the node.
 std::string JsonDocument::pointer(std::uint32_t node) const {
   std::string path;
   for (std::uint32_t at = 0; at != node;) {

@@ -1,4 +1,4 @@
-// JSON document whose values know their position, so that every error names it.
+// A JSON document whose values know their place in it, so that every error names it.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,13 @@ namespace desmo {
 
 class JsonValue;
 
-/// Parsed JSON text. Values stand in one list in the order of the text, each before its contents.
+/// A parsed JSON text. Values stand in one list in the order of the text, each before its contents.
 /// So building, searching and destroying need no recursion, and large documents little memory.
 class JsonDocument {
  public:
-  /// Parses strictly: no key twice in an object, finite numbers only, at most 32 levels. Throws
-  /// InputError.
+  /// Parses a text; comments count as blanks (comments.h). Throws InputError unless it is JSON of
+  /// at most 64 MiB, 10⁷ values and 32 levels, with finite numbers only and no key twice in an
+  /// object.
   JsonDocument(std::string_view text, std::string file_name);
   JsonDocument(const JsonDocument&) = delete;
   JsonDocument& operator=(const JsonDocument&) = delete;
@@ -36,9 +37,9 @@ class JsonDocument {
   };
 
   struct Node {
-    double number = 0;      // a boolean is 0 or 1
-    Span text, key;         // positions in texts_
-    std::uint32_t end = 0;  // first node after this one's contents; 0: not read yet
+    double number = 0;      // value of a number; of a boolean 0 or 1
+    Span text, key;         // ranges of texts_: value of a string; key in the object around it
+    std::uint32_t end = 0;  // index of the first node after this one's contents; 0: not read yet
     Kind kind = Kind::null;
   };
 
@@ -53,8 +54,8 @@ class JsonDocument {
   std::string file_name_;
 };
 
-/// Reference to a value of a document, which must outlive it. All functions throw InputError,
-/// naming file and position, when the value is not of the requested kind.
+/// Reference to a value of a document, which must outlive it. Functions that read the value throw
+/// InputError, naming file and place, when it is not of the requested kind.
 class JsonValue {
  public:
   bool is_string() const { return kind() == JsonDocument::Kind::string; }
@@ -62,26 +63,26 @@ class JsonValue {
   bool is_array() const { return kind() == JsonDocument::Kind::array; }
   bool is_object() const { return kind() == JsonDocument::Kind::object; }
 
-  std::string_view key() const;                               ///< key in its object
-  std::vector<JsonValue> members() const;                     ///< members of an object
-  std::vector<JsonValue> elements() const;                    ///< elements of an array
-  std::optional<JsonValue> find(std::string_view key) const;  ///< optional member
-  JsonValue operator[](std::string_view key) const;           ///< required member
+  std::string_view key() const;             ///< key in the object around it; empty in an array
+  std::vector<JsonValue> members() const;   ///< members of an object
+  std::vector<JsonValue> elements() const;  ///< elements of an array
+  std::optional<JsonValue> find(std::string_view key) const;  ///< optional member of an object
+  JsonValue operator[](std::string_view key) const;           ///< required member of an object
   /// Throws InputError, with an example of an object, if it is none.
   void require_object(std::string_view example) const;
-  /// Throws InputError if there are members with other keys.
+  /// Throws InputError if the object has members with other keys.
   void allow(std::initializer_list<std::string_view> keys) const;
 
   std::string_view text() const;
-  std::string_view line() const;  ///< non-empty text of one line and at most 200 characters
-  double number() const;          ///< at most 1e100 in magnitude, so that squares are finite
-  int whole_number(int least, int most) const;
-  /// Returns the position of the text in a list; kind: "level", for the message when it is not
-  /// there.
+  std::string_view line() const;  ///< text of 1 to 200 characters, none a control character
+  double number() const;          ///< number, ≤ 1e100 in magnitude, so that squares are finite
+  int whole_number(int least, int most) const;  ///< whole number, least ≤ it ≤ most
+  /// Returns the index of the text in a list. Throws InputError when it is not there.
+  /// - kind: word for what is listed, such as "level", for the message
   std::size_t choose(const std::string& kind, std::span<const std::string_view> known) const;
   bool boolean() const;
 
-  /// Throws InputError. what: "<what is wrong>; <remedy>".
+  /// Throws InputError that names the place of the value. what: "<what is wrong>; <remedy>".
   [[noreturn]] void complain(const std::string& what) const;
 
  private:

@@ -100,7 +100,7 @@ void JsonValue::complain(const std::string& what) const {
 
 void JsonValue::expect(JsonDocument::Kind expected, const char* what) const {
   if (kind() == expected) return;
-  // In the order of Kind.
+  // Words for the kinds, in the order of Kind.
   static constexpr const char* names[] = {"null",   "false",  "a number",
                                           "a text", "a list", "an object"};
   const bool is_true = kind() == JsonDocument::Kind::boolean && node().number != 0;

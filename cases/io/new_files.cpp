@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns a name in the same folder, so that it can be renamed, that nobody else uses.
+/// Returns a random file name in the target's folder, so that the file can be renamed to the
+/// target. A file of that name is not expected; opening would then fail.
 std::string name_beside(const std::string& target) {
   std::random_device random;
   const fs::path path(target);
@@ -26,7 +27,7 @@ std::string name_beside(const std::string& target) {
       .string();
 }
 
-/// Returns the path that links lead to, whether or not it exists; "" after too many links.
+/// Returns the path that links lead to, whether or not it exists; "" after more than 40 links.
 std::string followed(fs::path path) {
   constexpr int max_links = 40;  // as many as Linux follows
   std::error_code error;
@@ -37,7 +38,8 @@ std::string followed(fs::path path) {
   return path.string();
 }
 
-/// Lets a new name survive a loss of power. Not every file system can do that.
+/// Asks the file system to keep a new name through a loss of power. Ignores failures, since not
+/// every file system can do that.
 void sync_folder(const std::string& target) {
   const fs::path folder = fs::path(target).parent_path();
   const int file = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
@@ -48,7 +50,7 @@ void sync_folder(const std::string& target) {
 
 }  // namespace
 
-// After another constructor the destructor cleans up where open() throws.
+// Delegates to another constructor, so that the destructor runs where open() throws.
 OutputFile::OutputFile(const std::string& path, void (*begun)(const std::string&)) : OutputFile() {
   if (path.empty() || path == "-") {
     file_ = STDOUT_FILENO;
@@ -70,7 +72,7 @@ void OutputFile::open(void (*begun)(const std::string&)) {
     if (file_ < 0) fail(errno);
     return;
   }
-  // Renaming would replace even a file that is protected.
+  // Renaming would replace even a file that may not be written.
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail(errno);
   const std::string unfinished = name_beside(target_);
   if (begun) begun(unfinished);
@@ -101,7 +103,7 @@ void OutputFile::finish() {
 }
 
 void OutputFile::close() {
-  // A full disk may be noticed only here.
+  // Some file systems report a full disk only here.
   if (!unfinished_.empty() && ::fsync(file_) != 0) fail(errno);
   const int file = file_;
   file_ = -1;

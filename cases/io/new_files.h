@@ -1,4 +1,4 @@
-// The writer of files: nothing half-written is ever seen under a file's name.
+// Writers of files: nothing half-written is ever seen under the name of a regular file.
 #pragma once
 
 #include <filesystem>
@@ -9,32 +9,34 @@
 
 namespace desmo {
 
-/// An output that could not be written. The message names it and the reason.
+/// Error of an output that could not be written. The message names the output and the reason.
 class OutputError : public std::runtime_error {
  public:
   explicit OutputError(const std::string& message, int code = 0)
       : std::runtime_error(message), code_(code) {}
-  int code() const { return code_; }  ///< errno, or 0
+  int code() const { return code_; }  ///< errno of the failure; 0: unknown
 
  private:
   int code_;
 };
 
-/// Output that is opened before the work is done, so that an unusable path is known at once. A
-/// regular file is written next to its final name, and finish() renames it; without finish()
-/// nothing remains. Devices and pipes are written directly. All functions throw OutputError.
+/// An output that is opened before the work is done, so that an unusable path is known at once. A
+/// regular file is written under a temporary name in its folder, and finish() renames it; without
+/// finish() nothing of it remains. Devices and pipes are written directly. Functions that fail
+/// throw OutputError.
 class OutputFile {
  public:
-  /// Opens a path; "" and "-" are standard output. Follows links, also to a file that is yet to be;
-  /// an existing file keeps its permissions. begun: is called with the name under which a file is
-  /// written, before it exists.
+  /// Opens a path; "" and "-" are standard output. Follows links, also to a file that does not
+  /// exist yet. An existing file keeps its permissions.
+  /// - begun: called with the temporary name of a regular file, before it is created; may be null
   explicit OutputFile(const std::string& path, void (*begun)(const std::string& name) = nullptr);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
 
   void write(std::string_view text);
-  /// Completes the output; nothing may be written afterwards.
+  /// Completes the output and closes it, except for standard output. Nothing may be written
+  /// afterwards.
   void finish();
 
   bool is_standard_output() const { return path_.empty(); }
@@ -47,10 +49,10 @@ class OutputFile {
   void rename();
   [[noreturn]] void fail(int error) const;
 
-  std::string path_;        // as given, for messages; empty: standard output
+  std::string path_;        // path as given, for messages; empty: standard output
   std::string target_;      // path with links followed
-  std::string unfinished_;  // temporary name; empty when written directly
-  int file_ = -1;
+  std::string unfinished_;  // temporary name; empty when written directly, or renamed
+  int file_ = -1;           // descriptor of the open file; -1: closed
 };
 
 /// A file to be written: its name, without a folder, and all that it holds.
@@ -60,8 +62,8 @@ struct NewFile {
 };
 
 /// Creates `folder` where needed and writes every file under a temporary name, then renames them.
-/// When one cannot be written completely, none is renamed, what was begun is removed, and
-/// OutputError is thrown.
+/// Throws OutputError. When one cannot be written completely, none is renamed, and the temporary
+/// files are removed. When a renaming fails, the files before it have their final names.
 void write_files(const std::filesystem::path& folder, const std::vector<NewFile>& files);
 
 /// Writes the whole text to standard output. Throws OutputError.

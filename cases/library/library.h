@@ -7,7 +7,7 @@ namespace desmo {
 
 /// A mechanism of cases/library, embedded in the program.
 struct LibraryMechanism {
-  std::string_view name;       ///< file name without endings
+  std::string_view name;       ///< file name without extension
   std::string_view mechanism;  ///< text of <name>.json
   std::string_view scene;      ///< text of <name>.scene.json
 };
@@ -15,13 +15,13 @@ struct LibraryMechanism {
 /// Returns all mechanisms of the library, in alphabetical order.
 std::span<const LibraryMechanism> library();
 
-/// Returns the mechanism of that name, or null.
+/// Returns the mechanism of that name; null when there is none.
 const LibraryMechanism* find_library(std::string_view name);
 
 /// A scene of cases/requests: a request for the truck suspension, with which the suite measures the
 /// cost of requests.
 struct RequestScene {
-  std::string_view name;   ///< file name without endings
+  std::string_view name;   ///< file name without extensions
   std::string_view scene;  ///< text of <name>.scene.json
 };
 
