@@ -10,7 +10,7 @@ namespace {
 
 using Vec = Mechanism::Vec;
 
-/// Returns a vector turned by a rotation vector.
+/// Returns a vector turned by a rotation vector [rad].
 Vec turned(const Vec& x, const Vec& rotation) {
   const double angle = std::hypot(rotation[0], rotation[1], rotation[2]);
   if (angle == 0) return x;
@@ -72,8 +72,8 @@ class BodyReader {
     }
   }
 
-  /// Moves a frame that is to place points. Points of the body that are drawn already are then, on
-  /// average, where they are drawn.
+  /// Moves a frame that has both known points and new ones. The mean of the known points in the
+  /// frame then agrees with the mean of where they are.
   void meet_what_is_drawn(const std::vector<Mechanism::Point>& points,
                           Mechanism::Frame& frame) const {
     Vec way{};
@@ -88,7 +88,8 @@ class BodyReader {
     for (int i = 0; i < 3; ++i) frame.origin[i] += way[i] / static_cast<double>(drawn);
   }
 
-  /// Returns the position of the next of a body's entities. Adds it unless it is drawn already.
+  /// Returns the index of the next of a body's entities. Adds the entity unless its name is known.
+  /// - own: names in the body's frame; listed: indices of the entities before this one
   template <class Entity>
   static int place(std::vector<Entity>& all, NameTable& names, const NameTable& own,
                    const std::vector<int>& listed, Entity entity) {
@@ -120,7 +121,8 @@ class BodyReader {
     if (vectors) require_drawn(*vectors, "vector", body.vectors, drawn_vectors_);
   }
 
-  /// The shape of a body without a frame is drawn: not where others are estimated to be.
+  /// Refuses entities that only frames give in the list of a body without a frame: its shape is
+  /// drawn, and they are placed by an estimate.
   static void require_drawn(const JsonValue& list, const std::string& kind,
                             const std::vector<int>& listed, std::size_t drawn) {
     const std::vector<JsonValue> names = list.elements();
@@ -135,7 +137,7 @@ class BodyReader {
   Mechanism& d_;
   const DisplayUnits& units_;
   Names& names_;
-  std::size_t drawn_points_ = 0, drawn_vectors_ = 0;  // those of the file, in front
+  std::size_t drawn_points_ = 0, drawn_vectors_ = 0;  // numbers of entities that the file draws
 };
 
 }  // namespace

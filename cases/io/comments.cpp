@@ -16,7 +16,7 @@ std::string without_comments(std::string_view text) {
       const std::string_view rest = text.substr(at);
       std::size_t size = 0;
       if (rest.starts_with("//")) size = std::min(rest.find('\n'), rest.size());
-      if (rest.starts_with("/*")) size = rest.find("*/", 2) + 2;  // 1 where there is none
+      if (rest.starts_with("/*")) size = rest.find("*/", 2) + 2;  // 1 where "*/" is missing
       if (size < 2) continue;
       std::replace_if(
           result.begin() + at, result.begin() + at + size,

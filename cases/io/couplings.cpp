@@ -11,7 +11,8 @@ using Coupling = Mechanism::Coupling;
 
 bool is_angle(const Coordinate& c) { return c.type == Mechanism::CoordinateType::angle; }
 
-/// Converts factors to SI units.
+/// Converts factors to those of coordinates in SI units, up to a common factor: only where lengths
+/// and angles are mixed do they change.
 void convert(Coupling& coupling, const std::vector<Coordinate>& coordinates,
              const DisplayUnits& units) {
   const auto turns = [&](const Coupling::Term& term) {
@@ -31,7 +32,7 @@ Coupling by_table(const JsonValue& value, const std::vector<Coordinate>& coordin
             leads = names.coordinates.find(value["of"]);
   TableColumn values = column_of("values", coordinates[follows], units),
               arguments = column_of("at", coordinates[leads], units);
-  const DisplayUnit unit = values.unit;  // a heading may name others
+  const DisplayUnit unit = values.unit;  // that of `from`; a heading may change values.unit
   read_table(value, files, coordinates, arguments, values);
   Coupling coupling;
   for (const auto& [c, column] : {std::pair(follows, &values), std::pair(leads, &arguments)})

@@ -10,7 +10,8 @@
 namespace desmo {
 namespace {
 
-/// Adds what a request defines to a mechanism. Points come first: coordinates may measure them.
+/// Reader of the points and coordinates that a request defines, which adds them to a mechanism.
+/// Points come first, since coordinates may measure them.
 class Definitions {
  public:
   Definitions(const FileUnits& units, Mechanism& mechanism) : units_(units), d_(mechanism) {
@@ -106,7 +107,7 @@ class Definitions {
   Mechanism& d_;
   Names names_;
   std::set<std::string, std::less<>> taken_;
-  std::vector<int> carrier_;  // of each point
+  std::vector<int> carrier_;  // by defined point: index of the body that carries it
 };
 
 }  // namespace

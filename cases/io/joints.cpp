@@ -7,7 +7,8 @@
 namespace desmo {
 namespace {
 
-/// A coupling that others call a joint, and how it is written for angles in degrees or radians.
+/// A coupling that other programs call a joint: its name there, an example of "sum" for angles in
+/// degrees and in radians, and the meaning of the example's numbers.
 struct CouplingName {
   std::string_view type, in_degrees, in_radians, meaning;
 };
@@ -44,10 +45,10 @@ Mechanism::JointType read_type(const JsonValue& value, int dimension, const Disp
 Mechanism::Joint read_joint(const JsonValue& value, int dimension, const DisplayUnits& units,
                             const Names& names) {
   Mechanism::Joint joint{};
-  // Looks at it before at keys that another type might have.
+  // The type is read first: a coupling's keys would otherwise be refused before its type.
   if (const auto type = value.find("type")) joint.type = read_type(*type, dimension, units);
   value.allow({"name", "type", "bodies", "points", "vectors"});
-  value["type"];  // is required
+  value["type"];  // throws where the type is missing
   if (const auto name = value.find("name")) joint.name = checked_name(*name, name->text());
   joint.bodies = names.bodies.find_pair(value["bodies"]);
   if (const auto points = value.find("points")) joint.points = names.points.find_each(*points);

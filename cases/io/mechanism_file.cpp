@@ -6,7 +6,8 @@
 namespace desmo {
 namespace {
 
-/// Returns where a point or vector is first given: by the file, or in the frame of a body.
+/// Returns the value that first gives a point or vector: in the file's list, or in the frame of a
+/// body. Returns the root where there is none. kind: "points" or "vectors".
 JsonValue place_of(const JsonValue& root, std::string_view kind, const std::string& name) {
   std::vector<JsonValue> owners = root["bodies"].members();
   owners.insert(owners.begin(), root);
@@ -16,7 +17,7 @@ JsonValue place_of(const JsonValue& root, std::string_view kind, const std::stri
   return root;
 }
 
-// Returns the place of the file that describes what validate() refuses.
+// Returns the value of the file that describes the entry that validate() refuses.
 JsonValue place_of(const JsonValue& root, const Mechanism& d, const MechanismError& error) {
   using Part = MechanismError::Part;
   const int i = error.index();

@@ -74,7 +74,7 @@ class Writer {
 
   Json write(const Mechanism::Joint& joint) const {
     Json j = Json::object();
-    if (is_name(joint.name)) j["name"] = joint.name;  // one made of long names may be too long
+    if (is_name(joint.name)) j["name"] = joint.name;  // a name by name_joints() may be too long
     j["type"] = std::ranges::find(joint_forms(), joint.type, &JointForm::type)->name;
     j["bodies"] = {d_.bodies[joint.bodies[0]].name, d_.bodies[joint.bodies[1]].name};
     for (const int p : joint.points) j["points"].push_back(point(p));

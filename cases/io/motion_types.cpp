@@ -22,7 +22,8 @@ Derived read_exactly(const JsonValue& value, const DisplayUnit& unit) {
   return exact_size(unit) * value.number();
 }
 
-/// Returns the unit of lengths or angles. One that is open is refused where it would be used.
+/// Returns the unit of lengths or angles. Throws InputError where the file leaves it open; value:
+/// the number, or the motion, that needs it.
 const DisplayUnit& unit_of(const JsonValue& value, bool is_angle, const FileUnits& units) {
   const DisplayUnit& unit = is_angle ? units.angle : units.length;
   if (!(is_angle ? units.angle_is_open : units.length_is_open)) return unit;

@@ -19,49 +19,51 @@ namespace desmo {
 
 // Readers of parts that both kinds of file have:
 
-/// Returns the file's version, from 1 to `latest`. Throws InputError unless `format` is the file's,
-/// the version is known, and the optional `$schema` (for editors) is a text.
+/// Returns the file's version, 1 or `latest`. Throws InputError unless the file has this format and
+/// one of these versions, and its optional `$schema` (for editors) is a text.
 int check_format(const JsonValue& root, std::string_view format, int latest);
 
-/// Returns `name` if it is a name as cases/files.md defines it. place: its position, for errors.
+/// Returns `name` if it is a name (is_name()). Throws InputError otherwise. place: value that the
+/// message refers to.
 std::string checked_name(const JsonValue& place, std::string_view name);
 
 /// Units of a file.
 struct FileUnits : DisplayUnits {
-  /// Ambiguity of the units. Version 1 of a scene assumed metres and radians where it named no
-  /// unit, although the mechanism may have others.
+  /// The file leaves the unit open, so that a number that needs it is refused: a scene of version 1
+  /// names none, and its mechanism has another one than metres or radians.
   bool length_is_open = false, angle_is_open = false;
 };
 
-/// Return the units of lengths and angles that files may name.
+/// Return the units of lengths, or of angles, that files may name.
 std::span<const DisplayUnit> known_length_units();
 std::span<const DisplayUnit> known_angle_units();
 
-/// Returns the size of a unit in SI units. Lengths count as the doubles nearest to them.
+/// Returns the size of a unit in SI units. Sizes of units of length count as the nearest doubles.
 Derived exact_size(const DisplayUnit& unit);
 
-/// Reads `units` of a file; defaults hold for units that it leaves out.
+/// Reads `units` of a file. units: those that hold where the file names none.
 FileUnits read_units(const JsonValue& root, FileUnits units);
 
-/// Reads a unit of velocity, such as "deg/s" or "rpm", which is of angles. base_length: "m" or "1".
+/// Reads a unit of velocity, such as "mm/s", or, of an angle, "deg/s" or "rpm".
+/// - base_length: DisplayUnits::base_length() of the mechanism, "m" or "1"
 DisplayUnit read_rate_unit(const JsonValue& value, bool is_of_angle, std::string_view base_length);
 
-/// Files that a file names, relative to its folder.
+/// Files that a file names.
 struct NamedFiles {
-  std::filesystem::path folder;
-  std::vector<std::filesystem::path> read{};  ///< those that were read
+  std::filesystem::path folder;               ///< folder to which their names are relative
+  std::vector<std::filesystem::path> read{};  ///< paths of the files that were read
 
   /// Path and text of a file that has been read.
   struct Text {
     std::string name, text;
   };
-  /// Reads the file that a value names. kind: "mechanism", for messages.
+  /// Reads the file that a value names. kind: word for messages, such as "mechanism".
   Text read_named(const JsonValue& value, const std::string& kind);
 };
 
 // Sections of a mechanism file, in reading order:
 
-/// Known names; references to texts of the document.
+/// Names that were read so far. They refer to texts of the document, which must outlive them.
 struct Names {
   NameTable points{"point"}, vectors{"vector"}, bodies{"body"}, coordinates{"coordinate"};
 };
@@ -71,16 +73,16 @@ struct ReadMechanism {
   Mechanism mechanism;
   DisplayUnits units;
 };
-/// files: where tables are.
+/// Reads and validates a mechanism. files: reader of its table files.
 ReadMechanism mechanism_from(const JsonValue& root, NamedFiles& files);
 
 /// Reads as many components as the mechanism has dimensions; in the plane the third becomes 0.
 Mechanism::Vec read_components(const JsonValue& value, int dimension);
 
-/// Reads a vector's name, or a list of two points.
+/// Reads a vector's name, or a list of two names of points.
 Mechanism::Direction read_direction(const JsonValue& value, const Names& names);
 
-/// Places a point by numbers of the file in a unit of length.
+/// Sets the position of a point, with its remainder, from numbers in a unit of length.
 void set_position(Mechanism::Point& point, const Mechanism::Vec& numbers, const DisplayUnit& unit);
 
 std::vector<Mechanism::Point> read_points(const JsonValue& list, int dimension,
@@ -91,15 +93,16 @@ std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension
                                             const std::vector<Mechanism::Point>& points,
                                             Names& names);
 
-/// Reads the ground and the bodies. Adds points and vectors that only frames give, as the first of
-/// these frames places them, moved by the mean offset of its points that are drawn.
+/// Reads the ground and the bodies. Adds points and vectors that only frames of bodies give, at the
+/// place of the first such frame. A frame with known and new points is moved before, so that its
+/// known points are on average where they are.
 void read_bodies(const JsonValue& root, Mechanism& mechanism, const DisplayUnits& units,
                  Names& names);
 
-/// Returns the nominal position of a point of a body's frame.
+/// Returns the nominal position of a point. local: its position in a body's frame.
 Mechanism::Vec drawn_position(const Mechanism::Frame& frame, const Mechanism::Vec& local);
 
-/// Reads joints; names of those without one are empty.
+/// Reads joints. Joints without a name get an empty one.
 std::vector<Mechanism::Joint> read_joints(const JsonValue& root, int dimension,
                                           const DisplayUnits& units, const Names& names);
 
@@ -107,61 +110,66 @@ std::vector<Mechanism::Joint> read_joints(const JsonValue& root, int dimension,
 std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int dimension,
                                                     const DisplayUnits& units, Names& names);
 
-/// Reads one of them.
+/// Reads one relative coordinate, not driven.
 Mechanism::Coordinate read_coordinate(const JsonValue& value, int dimension,
                                       const DisplayUnits& units, const Names& names);
 
-/// Reads couplings. Factors are those of lengths in metres (or the free unit) and angles in
-/// radians; tables are in the units of the file. mechanism: its coordinates are read.
+/// Reads couplings. Factors of sums are made those of lengths in metres (or the free unit) and
+/// angles in radians, up to a common factor. Numbers of tables keep their units, which their
+/// factors state.
+/// - mechanism: has its coordinates
 std::vector<Mechanism::Coupling> read_couplings(const JsonValue& root, const Mechanism& mechanism,
                                                 const DisplayUnits& units, const Names& names,
                                                 NamedFiles& files);
 
-/// A scene, and what else its file tells.
+/// A scene, its units, and the files that were read for it.
 struct ReadScene {
   Scene scene;
-  DisplayUnits units;  ///< of motions: its own, or those of the mechanism where it names none
-  std::vector<std::filesystem::path> files{};  ///< others that were read: mechanism, tables
+  DisplayUnits units;  ///< units of motions: the scene's, or the mechanism's where it names none
+  std::vector<std::filesystem::path> files{};  ///< other files that were read: mechanism, tables
 };
-/// folder: a mechanism file and tables are read relative to it.
+/// Reads a scene. folder: folder to which its mechanism file and table files are relative.
 ReadScene scene_from(const JsonValue& root, const std::filesystem::path& folder);
 
 // Sections of a scene file:
 
 /// Reads `motion`. Returns one motion for each driven coordinate, in the mechanism's order, in
 /// metres (or the mechanism's free unit) or radians.
-/// - files: where tables are
-/// - known: the motions of coordinates that `motion` leaves out, one for each driven coordinate;
-///   empty: it may leave out none
-/// Throws InputError, also for a length whose unit the file leaves open.
+/// - files: reader of table files
+/// - known: one motion for each driven coordinate, which holds where `motion` leaves it out; empty:
+///   `motion` must leave out none
+/// Throws InputError, also for a number whose unit the file leaves open.
 std::vector<Motion> read_motions(const JsonValue& root, const Mechanism& mechanism,
                                  const FileUnits& units, NamedFiles& files,
                                  std::vector<Motion> known);
 
-/// Reads one motion, of this coordinate.
+/// Reads the motion of a coordinate.
 Motion read_motion(const JsonValue& value, const Mechanism& mechanism,
                    const Mechanism::Coordinate& coordinate, const FileUnits& units,
                    NamedFiles& files);
 
-/// Reads `from`, what a motion or a table starts from. Returns nothing for the drawing.
+/// Reads `from`, the constant that is added to a motion or a table, into SI units. Returns nothing
+/// for "drawing".
 std::optional<Derived> read_from(const JsonValue& from, const DisplayUnit& unit);
 
 /// A column of a table: arguments, which ascend, or values.
 struct TableColumn {
-  std::string_view key;                ///< of its list
-  std::string_view name;               ///< in the heading of a file
-  DisplayUnit unit;                    ///< of its numbers
-  std::span<const DisplayUnit> units;  ///< those that a heading may name
+  std::string_view key;                ///< key of its list in a scene or mechanism file
+  std::string_view name;               ///< its name in the heading of a CSV file
+  DisplayUnit unit;                    ///< unit of its numbers
+  std::span<const DisplayUnit> units;  ///< units that a heading may name
   std::vector<double> numbers{};
 };
 
-/// Returns the column of a coordinate, empty. units: of the file that has the table.
+/// Returns a column for the values of a coordinate, without numbers.
+/// - key: TableColumn::key; units: those of the file that has or names the table
 TableColumn column_of(std::string_view key, const Mechanism::Coordinate& coordinate,
                       const DisplayUnits& units);
 
-/// Reads a table from its lists, or from the CSV file that its `file` names; without a heading that
-/// has two columns. Numbers are those of the file, and units those of its heading. coordinates:
-/// those of the mechanism, of which a heading must name no other.
+/// Reads a table from its lists, or from the CSV file that its `file` names. Numbers are not
+/// converted; units of a CSV file's heading become those of the columns.
+/// - coordinates: those of the mechanism. Where a heading has two columns, a name that is not that
+///   of the column must not be that of another coordinate
 void read_table(const JsonValue& value, NamedFiles& files,
                 const std::vector<Mechanism::Coordinate>& coordinates, TableColumn& arguments,
                 TableColumn& values);
@@ -170,20 +178,23 @@ void read_table(const JsonValue& value, NamedFiles& files,
 inline constexpr std::array<std::string_view, 4> ends_names{"natural", "clamped", "periodic",
                                                             "indexing"};
 
-/// Reads the ends of a table; natural where there are none. may_index: others than of a motion.
+/// Reads the ends of a table; natural where none are given. may_index: "indexing" is allowed, as in
+/// couplings.
 SplineEnds read_ends(const JsonValue& table, bool may_index);
 
-/// Throws InputError when a table does not cover the grid's instants. motions: from read_motions().
+/// Throws InputError when the table of a motion does not cover the grid's instants, up to 1e-6 of a
+/// step. motions: one for each driven coordinate, in the mechanism's order.
 void check_tables(const JsonValue& root, const Mechanism& mechanism,
                   const std::vector<Motion>& motions, const TimeGrid& grid);
 
-/// Adds the points and coordinates that entries of a request define in place to the mechanism.
+/// Adds the points and coordinates to the mechanism that entries of a request define.
 void add_definitions(const std::vector<JsonValue>& entries, const FileUnits& units,
                      Mechanism& mechanism);
 
-/// Reads `request` into a scene that has its mechanism, in the order of first mention. What is
-/// requested at several levels is listed once, at the highest. What is defined there is added to
-/// the mechanism. units: those of the scene
+/// Reads `request` into a scene that has its mechanism. Entities and measures are listed once, in
+/// the order of first mention, at the highest level requested. What the request defines is added to
+/// the mechanism.
+/// - units: those of the scene
 void read_request(const JsonValue& root, const FileUnits& units, Scene& scene);
 
 }  // namespace desmo

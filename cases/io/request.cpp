@@ -101,7 +101,8 @@ class RequestReader {
                                {names_.read_component(of[0]), names_.read_component(of[1])}});
   }
 
-  // Once at each level: a request can name a body with many points many times.
+  // Requests the points and vectors of a body. Returns at once where that level or a higher one was
+  // requested before: a request can name a body with many points many times.
   void want_body(int body, Level level) {
     if (body_levels_[body] >= level) return;
     body_levels_[body] = level;
@@ -123,10 +124,10 @@ class RequestReader {
 
   Scene& scene_;
   Requestable names_;
-  std::vector<std::optional<Level>> body_levels_;
-  std::optional<Level> everything_level_;
-  std::map<std::pair<Kind, int>, std::size_t> places_;                 // in Scene::request
-  std::map<std::pair<MeasureKind, int>, std::size_t> measure_places_;  // in Scene::measures
+  std::vector<std::optional<Level>> body_levels_;       // by body: highest level requested so far
+  std::optional<Level> everything_level_;               // highest level of "everything" so far
+  std::map<std::pair<Kind, int>, std::size_t> places_;  // index in Scene::request
+  std::map<std::pair<MeasureKind, int>, std::size_t> measure_places_;  // index in Scene::measures
   std::set<std::string> ratios_;
 };
 

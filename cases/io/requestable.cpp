@@ -9,9 +9,11 @@
 namespace desmo {
 namespace {
 
-constexpr int max_patterns = 100;  // each is compared with every name
+// Number of patterns in a request, ≤: each is compared with every name.
+constexpr int max_patterns = 100;
 
-/// Adds the names of those entries of a list that can be asked for, from the `first` on.
+/// Adds the names of the entries of a list from index `first` on that can be asked for.
+/// - can_be_asked_for: function of the index
 template <class Entry>
 void fill(RequestKey& names, const std::vector<Entry>& list, const auto& can_be_asked_for,
           int first = 0) {
@@ -80,9 +82,9 @@ std::vector<int> Requestable::match(const JsonValue& pattern, const RequestKey& 
   return found;
 }
 
-/// Refuses a name of another kind, and one that no body carries or that never turns. It is more
-/// likely meant than a similar one of this kind, which a complaint about an unknown name would
-/// offer.
+/// Refuses the ground where a rotation is asked for, a name of another kind, and an entity that no
+/// body carries. That name is more likely meant than a similar one of this kind, which the message
+/// about an unknown name would offer. Rotations and joints are not checked for another kind.
 void Requestable::check_kind(const JsonValue& name, const RequestKey& names) const {
   if (&names == &rotations && name.text() == d_.bodies.front().name)
     name.complain("the ground never turns; name a body that moves");
@@ -97,7 +99,7 @@ void Requestable::check_kind(const JsonValue& name, const RequestKey& names) con
                   " is carried by no body and has no motion; list it in a body");
 }
 
-/// Refuses a joint that has neither a turn nor a travel.
+/// Refuses a joint that neither turns about one axis nor slides along one.
 void Requestable::check_joint(const JsonValue& name) const {
   if (joints.position(name.text())) return;
   const auto joint = std::ranges::find(d_.joints, name.text(), &Mechanism::Joint::name);

@@ -1,4 +1,4 @@
-// What a request can ask for, by name.
+// The names that a request can ask for.
 #pragma once
 
 #include <functional>
@@ -17,22 +17,23 @@ namespace desmo {
 struct RequestKey : NameTable {
   RequestKey(std::string key, std::string kind) : NameTable(std::move(kind)), key(std::move(key)) {}
 
-  const std::string key;  ///< "points"
+  const std::string key;  ///< key in an entry of a request, such as "points"
 };
 
-/// Everything that a request of a mechanism can ask for. Functions that read throw InputError.
+/// The names of all that a request of a mechanism can ask for. Functions that read throw
+/// InputError.
 class Requestable {
  public:
-  /// mechanism: outlives this, and has what the request defines.
+  /// mechanism: outlives this object, and has the entities that the request defines.
   explicit Requestable(const Mechanism& mechanism);
 
-  /// Receives the position of an entity, and the pattern that asks for it; "": its name does.
+  /// Receiver of the position of an entity, and of the pattern that asks for it; "": a name asks.
   using Want = std::function<void(int, std::string_view)>;
-  /// Reads what an entry of a request lists, or has defined, under a key. Calls want() for each; of
-  /// a pattern, for all that match.
+  /// Reads the names that an entry of a request lists or defines under a key. Calls want() for
+  /// each, and for each name that matches a listed pattern.
   void read(const JsonValue& entry, const RequestKey& names, const Want& want);
 
-  /// Reads the name of a coordinate, or of a component of a point or vector: "C.x".
+  /// Reads and returns the name of a coordinate, or of a component of a point or vector: "C.x".
   std::string read_component(const JsonValue& value) const;
 
   RequestKey points{"points", "point"}, vectors{"vectors", "vector"}, angles{"angles", "angle"},

@@ -11,13 +11,13 @@
 namespace desmo {
 namespace {
 
-constexpr int max_units = 100'000;  // of a generator, from a file
-constexpr double max_instants = 1e9;
+constexpr int max_units = 100'000;    // number of a generator's units that a file may ask for, ≤
+constexpr double max_instants = 1e9;  // number of instants, ≤
 
-constexpr int latest_version = 2;
+constexpr int latest_version = 2;  // latest version of scene files
 
-// The mechanism of a scene, with its motions and times where it is of the library or a scalable
-// one.
+// The mechanism of a scene. Mechanisms of the library and of generators come with motions, one for
+// each driven coordinate, and times.
 struct Start : ReadMechanism {
   std::vector<Motion> motions{};
   std::optional<TimeGrid> grid{};
@@ -40,7 +40,7 @@ TimeGrid read_time(const JsonValue& value) {
   const double intervals = (end - start) / step;
   if (!(intervals <= max_instants - 1))
     step_given.complain("gives more than 1e9 instants; choose a longer step or an earlier end");
-  constexpr double rounding = 1e-3;  // of a step: for steps such as 0.3333
+  constexpr double rounding = 1e-3;  // duration / step may differ by this from a whole number
   if (intervals < 1 - rounding || std::abs(intervals - std::round(intervals)) > rounding)
     step_given.complain(
         "from start to end is not a whole number of steps; choose another step or "
@@ -100,7 +100,8 @@ Start read_start(const JsonValue& value, NamedFiles& files) {
   return {mechanism_from(value, files)};
 }
 
-// The unit of length goes with that of the mechanism: a free one is no number of metres.
+// Returns the units of a scene's motions. Refuses a length in metres where the mechanism has a free
+// unit, and the reverse.
 FileUnits units_of_motion(const JsonValue& root, int version, const DisplayUnits& mechanism) {
   FileUnits units = read_units(root, {mechanism});
   if (units.base_length() != mechanism.base_length())

@@ -9,15 +9,16 @@
 namespace desmo {
 namespace {
 
+/// Reader of a table from a CSV file.
 struct TableFile {
-  const JsonValue& place;
+  const JsonValue& place;  // value that names the file, for messages
   NamedFiles::Text file;
   const std::vector<Mechanism::Coordinate>& coordinates;
-  std::array<TableColumn*, 2> columns;  // arguments, values
-  long lines = 0;                       // that were read
-  std::size_t width = 0;
-  std::array<std::size_t, 2> at{0, 1};  // of these columns
-  std::vector<std::string_view> fields{};
+  std::array<TableColumn*, 2> columns;     // arguments, values
+  long lines = 0;                          // number of lines that were read
+  std::size_t width = 0;                   // number of fields in each line; 0: none was read yet
+  std::array<std::size_t, 2> at{0, 1};     // indices of the fields of `columns` in a line
+  std::vector<std::string_view> fields{};  // fields of the current line
 
   void read() {
     std::string_view rest = without_mark(file.text);
@@ -93,7 +94,8 @@ struct TableFile {
     return value;
   }
 
-  /// Semicolons between columns leave fields that hold one.
+  /// Returns the usual remedy; for a field with a semicolon, which does not separate, one about
+  /// separators.
   static std::string remedy(std::string_view field, const std::string& usual) {
     return field.find(';') == field.npos
                ? usual

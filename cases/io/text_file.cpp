@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* too_large = "the file is larger than 64 MiB; divide it";
 
-// A device or a pipe could have no end.
+// Refuses what is no regular file, since a device or a pipe could have no end, and a file that is
+// too large.
 void check_regular(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -42,7 +43,7 @@ std::string read_text(const std::filesystem::path& file) {
   std::array<char, 1 << 16> buffer;
   while (stream.read(buffer.data(), buffer.size()), stream.gcount() > 0) {
     text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > max_file) throw UnreadableFile(too_large);  // it can have grown
+    if (text.size() > max_file) throw UnreadableFile(too_large);  // it may have grown
   }
   if (stream.bad()) throw UnreadableFile("cannot be read to its end; check the disk");
   return text;

@@ -6,7 +6,7 @@
 
 namespace desmo {
 
-constexpr std::size_t max_file = std::size_t{64} << 20;  ///< [bytes]
+constexpr std::size_t max_file = std::size_t{64} << 20;  ///< size of a file that is read, ≤ [bytes]
 
 /// Error of a file that cannot be read. The message is the reason and the remedy.
 class UnreadableFile : public std::runtime_error {
@@ -17,10 +17,10 @@ class UnreadableFile : public std::runtime_error {
 /// Returns the bytes of a regular file of at most `max_file`. Throws UnreadableFile.
 std::string read_text(const std::filesystem::path& file);
 
-/// Does the same; the message begins with the file's name.
+/// Does what read_text() does; the message of UnreadableFile begins with the file's name.
 std::string read_named_text(const std::filesystem::path& file);
 
-/// Does the same for a file that is part of the input: throws InputError, naming it.
+/// Does what read_named_text() does, but throws InputError with that message.
 std::string read_input(const std::filesystem::path& file);
 
 }  // namespace desmo

@@ -34,7 +34,7 @@ class VectorReader {
     int vector;
     JsonValue place;
     std::array<Direction, 2> of;
-    bool is_waiting = false;  // for another
+    bool is_waiting = false;  // it is on the path of normals that wait for others
   };
 
   void read(int i, const JsonValue& value) {
@@ -62,7 +62,8 @@ class VectorReader {
     vectors_[i].direction = unit;
     vectors_[i].remainder = remainder_of(unit, along);
   }
-  /// Returns a direction as the file means it; a line with its length.
+  /// Returns a direction as the file means it: a vector of length 1, or the difference of the two
+  /// points of a line.
   Mechanism::ExactVec exact(const Direction& d) const {
     if (!d.is_line()) return vectors_[d.vector].exact();
     const Mechanism::ExactVec from = points_[d.from].exact(), to = points_[d.to].exact();
@@ -88,18 +89,19 @@ class VectorReader {
     return d.is_line() ? line(place, d.from, d.to) : vectors_[d.vector].direction;
   }
 
-  // Resolves normals after the vectors that define them. Not by recursion, since any depth is
-  // possible.
+  // Resolves each normal after the vectors that define it. Does without recursion, since any depth
+  // is possible.
   void resolve_normals() {
-    std::map<int, Normal*> normal_of;  // of each vector that is not resolved
+    std::map<int, Normal*> normal_of;  // by vector: its normal that is not resolved yet
     for (Normal& normal : normals_) normal_of[normal.vector] = &normal;
-    const auto next = [&](const Normal& normal) -> Normal* {  // that it waits for
+    // Returns a normal that has to be resolved before this one; null: none.
+    const auto next = [&](const Normal& normal) -> Normal* {
       for (const Direction& d : normal.of)
         if (const auto found = normal_of.find(d.vector); found != normal_of.end())
           return found->second;
       return nullptr;
     };
-    std::vector<Normal*> path;  // each waits for the next
+    std::vector<Normal*> path;  // normals, each of which waits for the one after it
     while (!normal_of.empty()) {
       if (path.empty()) path.push_back(normal_of.begin()->second);
       Normal& last = *path.back();
