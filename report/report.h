@@ -1,4 +1,4 @@
-// The report of a record, and a site of those of all records.
+// The report of a record, and the site of the reports of all records.
 #pragma once
 
 #include <filesystem>
@@ -12,19 +12,22 @@
 
 namespace desmo::report {
 
-/// Returns the page of a record: the sections of what it has measured, and how it was measured.
-/// beside: records of other machines. Those that measured the same have their speed-ups next to the
-/// record's own; where none did, a section says so. The same records give the same document.
+/// Returns the report of a record: the sections of its experiments, and how they were measured. The
+/// same records give the same document.
+/// - beside: records of other machines. The speed-ups of those that measured the same stand next to
+///   the record's own; where none did, a section says so
 Document make_report(const Record& record, const std::vector<const Record*>& beside = {});
 
 /// Returns the speed-ups of a record next to those of others that measured the same on another
-/// machine, each over the usual reference in its own record: of each machine the record that has
-/// most in common. The section has no tables where no other record measured the same.
+/// machine, each relative to the reference in its own record (reference_of()). Of each machine the
+/// record with the most speed-ups in common is taken. The section has no tables where no other
+/// record measured the same.
 Section machines(const Record& record, const std::vector<const Record*>& others);
 
-/// Returns the files of a static site by folder: a page with its figures for every record in
-/// results/records, the others next to it, one for results/history.json where it is, and in the
-/// folder "" an index.html that selects by machine and date. Throws InputError, or MixedRecord.
+/// Returns the files of a static site by folder. Throws InputError, or MixedRecord.
+/// - for each record in results/records: its page and figures, next to the other records
+/// - "history", where there is results/history.json: its page and figure
+/// - "": index.html, which selects by machine and date
 std::map<std::string, std::vector<NewFile>> make_site(const std::filesystem::path& results);
 
 }  // namespace desmo::report

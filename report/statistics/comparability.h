@@ -9,37 +9,41 @@
 
 namespace desmo::report {
 
-/// Something that must be the same and is not.
+/// A quantity that must be the same in two records and is not.
 struct Difference {
   std::string what;           ///< "CPU model", "model of four_bar/114", ...
   std::string first, second;  ///< the value in each record, or "not recorded"
 };
 
-/// Says why times of the two records cannot be compared; empty when they can. They must agree in
-/// CPU model, compiler, build type, flags, linking, BLAS core and threads, settings, and, for what
-/// both have timed, in the model and the results. At least one measurement must be in both. What
-/// only one records counts as different, and linking also where neither does.
+/// Returns why times of the two records cannot be compared; empty when they can. They must agree in
+/// - the environment: CPU model, compiler, build type, flags, linking, BLAS core and threads
+/// - settings: tolerance, iterations at most, first guess, step and duration
+/// - the model and the results of what both have timed
+/// At least one measurement must be in both. What only one records counts as different, and linking
+/// also where neither does.
 std::vector<Difference> incomparable_reasons(const Record& first, const Record& second);
 
-/// Says why speed-ups of two machines cannot stand side by side; empty when they can. They must
-/// agree in everything that incomparable_reasons() compares, but for the environment.
+/// Returns why speed-ups of two machines cannot stand side by side; empty when they can. They must
+/// agree in all that incomparable_reasons() compares, except for the environment.
 std::vector<Difference> different_work_reasons(const Record& first, const Record& second);
 
 /// Times of one experiment by one clock.
 struct TimedGroup {
-  std::string name;  ///< of its table
-  std::string what;  ///< "CPU seconds", "wall-clock seconds of several threads"
+  std::string name;  ///< name of its table
+  std::string what;  ///< words for the times, such as "CPU seconds"
   Measurements measurements;
 };
 
-/// Returns the key of a point of accuracy among times: the motion is a part of its id.
+/// Returns the key under which a point of the accuracy experiment stands among times: step and
+/// number of instants become settings of its id.
 CandidateKey timing_key(const PointKey& point);
 
-/// Returns every group that a record may have, in the order of tables; empty ones too.
+/// Returns every group that a record may have, in the order of tables, empty groups included.
 std::vector<TimedGroup> timed_groups(const Record& record);
 
-/// Returns the key that speed-ups of a key are over: the usual reference of the same case and size,
-/// with the same request; of several threads, the same analysis on one.
+/// Returns the key of the reference whose time is divided by that of a key in a speed-up: the usual
+/// reference of the same case, size, request and step. Where the wall clock measures, it is the
+/// same analysis on one thread.
 CandidateKey reference_of(const CandidateKey& key);
 
 }  // namespace desmo::report

@@ -11,39 +11,42 @@
 
 namespace desmo::report {
 
-/// Largest number of coordinates at which growth is judged.
+/// Largest number of coordinates of the points to which an exponent of growth is fitted, ≤.
 inline constexpr std::int64_t max_linear_coordinates = 10'000;
 
 /// A size that has a time.
 struct CurvePoint {
   std::int64_t coordinates = 0, unknowns = 0;
-  double seconds = 0;  ///< the least sample, of a step
-  double nanoseconds() const { return 1e9 * seconds / static_cast<double>(coordinates); }  ///< each
+  double seconds = 0;  ///< time of a step: its least sample
+  /// Returns the time of a step, divided by the number of coordinates [ns].
+  double nanoseconds() const { return 1e9 * seconds / static_cast<double>(coordinates); }
 };
 
+/// The times of one formulation at the sizes of a case.
 struct Curve {
-  std::map<std::int64_t, CurvePoint> points;  ///< by coordinates
-  bool failed = false;                        ///< at some other size
+  std::map<std::int64_t, CurvePoint> points;  ///< points by their numbers of coordinates
+  bool failed = false;                        ///< at least one size has no time
 };
 
-/// Curves by case and formulation.
+/// Curves by case and id of the formulation.
 using Curves = std::map<std::pair<std::string, std::string>, Curve>;
 
-/// Returns the curves of `growth` or `break_even`.
+/// Returns the curves of entries, Record::growth or Record::break_even.
 Curves curves_of(const std::map<CandidateKey, TimedSize>& entries);
 
-/// Returns the point where a coordinate costs least; null without points.
+/// Returns the point with the least time per coordinate; null without points.
 const CurvePoint* cheapest(const Curve& curve);
 
-/// A size that two curves have: its unknowns n, and d = log(t₁/t₂), above 0 where the first is
-/// slower.
+/// A size that two curves have: its number n of unknowns, and d = log(t₁/t₂) of their times, above
+/// 0 where the first is slower.
 struct SizeOfBoth {
   double n, d;
 };
 
 std::vector<SizeOfBoth> sizes_of_both(const Curve& first, const Curve& second);
 
-/// Returns at each size the faster of the two; where only one has the size, that one.
+/// Returns the curve that has at each size the faster point of the two; where only one curve has
+/// the size, that point. Curve::failed is that of `a`.
 Curve faster_of(Curve a, const Curve& b);
 
 }  // namespace desmo::report

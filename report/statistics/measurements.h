@@ -1,4 +1,5 @@
-// Finding measurements in a record. Whoever looks for a number gets it or the reason for none.
+// Finding measurements in a record: functions return a number, or the mark that says why there is
+// none.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +17,27 @@
 
 namespace desmo::report {
 
-/// A measurement, or the mark that stands in its place.
+/// The time of one analysis, or the mark that stands in its place.
 struct Measured {
-  std::optional<SampleSummary> seconds;  ///< of one analysis
+  std::optional<SampleSummary> seconds;  ///< time of one analysis; none: it was not measured
   std::string mark;  ///< failed_mark, not_run_mark or missing_mark; empty when measured
   Clock clock = Clock::cpu;
 };
 
-/// Return the time of a candidate; of a key, that of the CPU clock.
+/// Return the time of a candidate; a key is looked up in Record::candidates, of the CPU clock.
 Measured measured(const Record& record, const CandidateKey& key);
 Measured measured(const Measurement& candidate);
 
-/// Measurements by their keys; they stand in the record.
+/// Measurements by their keys. They refer to the record.
 using Measurements = std::map<CandidateKey, const Measurement*>;
 
-/// Returns all of measurements() that was to be timed by a clock.
+/// Returns the measurements() that a clock times or was to time.
 Measurements measurements_by(Clock clock, const Record& record);
 
-/// The speed-up of one candidate over another, or the mark of the one that has no number.
+/// The speed-up of one candidate over another, or the mark of the one that has no time.
 struct MeasuredSpeedUp {
   std::optional<SpeedUp> speed_up;
-  std::string mark;
+  std::string mark;  ///< empty when there is a speed-up
 };
 
 /// Returns the speed-up over a reference; without one, the mark is missing_mark.
@@ -44,11 +45,11 @@ MeasuredSpeedUp measured_speed_up(const Record& record,
                                   const std::optional<CandidateKey>& reference,
                                   const CandidateKey& variant);
 
-/// Throws std::logic_error for times of two clocks: they make no ratio.
+/// Returns the speed-up. Throws std::logic_error for times of two clocks: they make no ratio.
 MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant);
 
-/// The mean speed-up of one of the paper's variants over `truck_global` within a family, over those
-/// of the paper's sizes where both were measured.
+/// The mean speed-up of one of the paper's variants relative to `truck_global` with the same sparse
+/// solver. The mean is that of the paper's sizes at which both were measured.
 struct MeanSpeedUp {
   std::optional<SpeedUp> speed_up;
   std::size_t sizes = 0;  ///< number of sizes in the mean
@@ -57,16 +58,16 @@ struct MeanSpeedUp {
 MeanSpeedUp mean_speed_up(const Record& record, std::string_view family,
                           const PaperVariant& variant);
 
-/// Returns the candidates of a case and size whose ids `holds` is true of, by id.
+/// Returns the candidates of a case and size whose ids fulfil `holds`, ordered by id.
 std::vector<CandidateKey> candidates_at(const Record& record, const CaseSize& place,
                                         const std::function<bool(const std::string&)>& holds);
 
-/// Finds the fastest of some candidates; nothing where none has a time.
+/// Finds the fastest of some candidates; returns nothing where none has a time.
 std::optional<CandidateKey> fastest_of(const Record& record,
                                        const std::vector<CandidateKey>& candidates);
 
-/// Finds the fastest candidate of a case and size that something holds of; what stands next to
-/// peers has no part in it, nor has an id that is no configuration.
+/// Finds the fastest candidate of a case and size whose configuration fulfils `holds`. Leaves out
+/// candidates that stand next to peers (is_beside_peers()) and ids that are no configuration.
 std::optional<CandidateKey> fastest(const Record& record, const CaseSize& place,
                                     const std::function<bool(const Configuration&)>& holds);
 
@@ -76,7 +77,7 @@ std::optional<CandidateKey> papers_reference(const Record& record, const CaseSiz
 /// Finds the fastest reference with the guess and the tolerance of a candidate.
 std::optional<CandidateKey> reference_like(const Record& record, const CandidateKey& key);
 
-/// Returns the sizes recorded of each case, in whatever state.
+/// Returns the numbers of coordinates recorded of each case, measured or not.
 template <class Entries>
 std::map<std::string, std::set<std::int64_t>> recorded_sizes(const Entries& entries) {
   std::map<std::string, std::set<std::int64_t>> sizes;
@@ -84,13 +85,13 @@ std::map<std::string, std::set<std::int64_t>> recorded_sizes(const Entries& entr
   return sizes;
 }
 
-/// Returns the sparse families of which the record has a variant of the paper's, in whatever state.
-/// case_name: of this case alone; empty: of any. No table shows other families, as of a build
-/// without its solver or of a scene of the user's own.
+/// Returns the families (sparse solvers) with which the record has one of the paper's variants,
+/// measured or not, in the order of sparse_families. Tables show these families only.
+/// - case_name: only variants of this case count; empty: those of any case
 std::vector<std::string_view> recorded_families(const Record& record,
                                                 std::string_view case_name = {});
 
-/// Says why there is no time; empty when there is one.
+/// Returns why a candidate has no time; empty when it has one.
 std::string remark(const Measurement& candidate);
 
 }  // namespace desmo::report
