@@ -8,31 +8,33 @@
 
 namespace desmo::report {
 
-/// Settings as ids name them; the defaults are the paper's, which ids leave out.
+/// A formulation and its settings as an id names them. The defaults are the paper's.
 struct Configuration {
   std::string formulation = {};  ///< <partition>_<equations>_<algebra>
   std::string guess = "previous", jacobian = "newton";
-  std::string iterations = {}, tolerance = {};  ///< end of a step; both empty: the usual tolerance
-  /// Any other suffixes: "lanes:8", "check:proof", and "scalar:float" of earlier records.
+  /// Fixed number of iterations, and tolerance, at which a step stops. Both empty: the tolerance of
+  /// the record's settings.
+  std::string iterations = {}, tolerance = {};
+  /// All other suffixes: "lanes:8", "check:proof", and "scalar:float" of earlier records.
   std::vector<std::string> others = {};
 
-  /// Returns whether nothing differs from the paper but settings of the iteration: guess, Jacobian,
-  /// and where a step stops. A run that is checked, several instants at once, or an option of the
-  /// linear solver is something else.
+  /// Returns whether `others` is empty: settings differ from the paper's only in the iteration,
+  /// that is in guess, Jacobian, and where a step stops.
   bool has_papers_algorithm() const;
-  /// Returns whether all but where a step stops is as in the paper.
+  /// Returns whether all settings are the paper's, except for where a step stops.
   bool has_papers_settings() const;
-  /// Returns whether everything is as in the paper.
+  /// Returns whether all settings are the paper's.
   bool is_papers() const;
-  /// Returns whether steps start from the same guess and stop at the same place.
+  /// Returns whether guess, iterations and tolerance are the same.
   bool iterates_like(const Configuration& other) const;
   /// Returns whether no instant is interpolated between solved ones.
   bool solves_every_instant() const;
   bool operator==(const Configuration&) const = default;
 };
 
-/// Returns nothing when a suffix is neither "/key:value" nor a mark, such as "/monitored" in older
-/// records, or is given twice. The keys of the settings above make no marks.
+/// Returns the configuration that an id names. Returns nothing when the formulation is empty, a key
+/// is given twice, or a suffix is neither "/key:value" nor a mark. A mark is a word alone, such as
+/// "/monitored" in older records, that is not "guess", "jacobian", "iterations" or "tolerance".
 std::optional<Configuration> parse_configuration(std::string_view id);
 
 }  // namespace desmo::report

@@ -14,93 +14,100 @@ namespace desmo::report {
 
 // ---- accuracy: time against error ----
 
-/// A motion that configurations were tried on. Ordered by case, size, step, instants.
+/// Key of a series: a motion that configurations were tried on. Ordered by case, size, step and
+/// instants.
 struct SeriesKey : CaseSize {
-  double step_seconds = 0;    ///< s, between two instants
-  std::int64_t instants = 0;  ///< solved
+  double step_seconds = 0;    ///< time between two instants [s]
+  std::int64_t instants = 0;  ///< number of instants
   auto operator<=>(const SeriesKey&) const = default;
 };
 
-/// Errors below which nothing is to be expected in a series. Relative, as errors are.
+/// Relative errors of a series below which no result is to be expected.
 struct Floor {
-  LevelNumbers reference;  ///< how far its two solutions differ
-  /// Errors that conditioning lets be expected; none where a position is singular.
+  LevelNumbers reference;  ///< differences of the reference's two solutions
+  /// Errors that the condition number explains in double and in float; none where a position is
+  /// singular.
   std::optional<LevelNumbers> in_double = {}, in_float = {};
 };
 
-/// The largest errors of a motion. Empty for a level whose error is beyond all measure.
+/// The largest relative errors of a motion. A level is empty where the error is not finite or too
+/// large for a record.
 using MaxErrors = PerLevel<std::optional<double>>;
 
+/// Key of a point: a series and a configuration's id.
 struct PointKey {
   SeriesKey series;
   std::string id;
   auto operator<=>(const PointKey&) const = default;
 };
 
-/// A step of a configuration tried: ok, failed or not applicable.
+/// A point of time against error: the time of a step of a configuration, and its errors. Its status
+/// is ok, failed or not applicable.
 struct Point : Measurement {
   Configuration configuration;
-  MaxErrors error;  ///< relative; of position always when ok
+  MaxErrors error;  ///< errors when ok; that of position is then known
 };
 
 // ---- size: time against size ----
 
-/// A step of a formulation at one size of a case: ok, then with verification, or failed.
+/// The time of a step of a formulation at one size of a case: ok, with verification, or failed.
 struct TimedSize : Measurement {
-  std::int64_t unknowns = 0;
-  double tolerance = 0;
-  std::string checked_against;  ///< "quadruple", "double": the reference's precision; when ok
-  double state_bytes = 0;       ///< q, q', q''
-  std::optional<double> bytes;  ///< memory that the formulation keeps
+  std::int64_t unknowns = 0;    ///< number of coordinates found at every instant
+  double tolerance = 0;         ///< Settings::tolerance
+  std::string checked_against;  ///< precision of the reference: "quadruple" or "double"; when ok
+  double state_bytes = 0;       ///< size of q, q' and q'' [bytes]; when ok
+  std::optional<double> bytes;  ///< memory that the formulation keeps [bytes]; none: not known
 };
 
 // ---- modelling: the same in other coordinates ----
 
-/// A formulation in some coordinates: unknowns are those of its linear systems.
+/// The time of a step of a formulation in some kind of coordinates. Its `unknowns` are those of the
+/// linear systems.
 struct ModelledTime : TimedSize {
-  /// Entries of the matrices after condensation, and its operations; none where generated code
-  /// solves.
+  /// Number of matrix entries after condensation, and of multiplications and additions that the
+  /// condensation takes; none where generated code solves.
   std::optional<std::int64_t> entries = {}, condensation = {};
-  double condition = 0;  ///< of the model, at the first instant
+  double condition = 0;  ///< condition number of the model's equations at the first instant
 };
 
 // ---- instructions ----
 
 /// Instructions of a step, with as many Newton iterations as it takes.
 struct StepCount {
-  std::int64_t instructions = 0;
-  std::int64_t steps = 0;  ///< counted
-  std::string tool;        ///< the counting program, and what else counts depend on
+  std::int64_t instructions = 0;  ///< mean over the steps
+  std::int64_t steps = 0;         ///< number of steps that were counted
+  std::string tool;               ///< counting program, and versions that counts depend on
 };
 
 // ---- extremes ----
 
+/// A row of the table of extremes.
 struct ExtremeRow {
   std::int64_t number = 0;
-  std::string name;  ///< short
+  std::string name;  ///< short name
   std::string extreme,
       expected;  ///< the difficulty, and the answer that every formulation should give
 };
 
-/// The worst error of a level, with the floor that conditioning sets.
+/// The worst relative error of a level, with the floor that conditioning sets there.
 struct ExtremeError {
   double error = 0, floor = 0;
 };
 
-/// A case of a row in one formulation.
+/// The result of a case of a row in one formulation.
 struct ExtremeResult {
   enum class Verdict {
     as_expected,
-    missed,  ///< less than expected, and no wrong number without a flag
+    missed,  ///< less than expected, but no wrong number without a flag
     defect,  ///< wrong numbers, or numbers where there is no answer, without a flag
     not_applicable,
   };
-  std::int64_t row = 0;
-  std::string case_name;
-  std::string id;  ///< a formulation, with settings
+  std::int64_t row = 0;   ///< ExtremeRow::number
+  std::string case_name;  ///< unique within the row
+  std::string id;         ///< id of a formulation with settings
   Verdict verdict = Verdict::as_expected;
-  std::string reason;  ///< empty when as expected
-  std::optional<PerLevel<ExtremeError>> worst = {};
+  std::string reason;  ///< reason of any other verdict than as_expected
+  std::optional<PerLevel<ExtremeError>> worst = {};  ///< none: nothing was compared
 };
 
 }  // namespace desmo::report

@@ -1,4 +1,4 @@
-// results/history.json: instructions a step of some candidates, commit by commit. Plain data.
+// results/history.json: instructions of a step of some candidates, commit by commit. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace desmo::report {
 
 struct HistoryPoint {
   std::string commit, date, title, compiler;
-  /// Counts by candidate; nothing: the commit lacks it.
+  /// Instructions of a step, in the order of History::candidates; none: the commit has no count.
   std::vector<std::optional<std::int64_t>> instructions = {};
 };
 
@@ -20,8 +20,8 @@ struct History {
   std::vector<HistoryPoint> points;  ///< oldest first
 };
 
-/// Reads {"schema": 2, "candidates", "points": [{"commit", "date", "subject", "compiler",
-/// "instructions"}]}. Throws InputError, naming file and place, and UnreadableRecord.
+/// Reads a file {"schema": 2, "candidates", "points": [{"commit", "date", "subject", "compiler",
+/// "instructions"}]}. Throws InputError, naming file and place, or UnreadableRecord.
 History read_history(const std::filesystem::path& file);
 
 }  // namespace desmo::report

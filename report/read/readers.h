@@ -1,7 +1,7 @@
-// The readers of the parts of a record, one experiment a .cpp. All throw InputError, naming the
-// place, for what the report could not rely on: everything is given once, keys that are required
-// are there, times are above zero, whatever is "ok" has its verification. What exceeds
-// `record.settings.allowed` becomes a failure that says so, and has no time.
+// The readers of the parts of a record. All throw InputError, naming the place, unless everything
+// is given once, keys that are required are there, times are above zero, and what is "ok" has its
+// verification or error. A measurement whose verification exceeds `record.settings.allowed` becomes
+// a failure that says so and has no time.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace desmo::report {
 
-/// Reads the object of a record: the experiment of that name.
+/// Read an experiment, the object of that name in a record, into the record.
 void read_paper(Record& record, const RecordValue& experiment);
 void read_accuracy(Record& record, const RecordValue& experiment);
 void read_sizes(Record& record, const RecordValue& experiment);
@@ -21,14 +21,14 @@ void read_modelling(Record& record, const RecordValue& experiment);
 void read_instructions(Record& record, const RecordValue& experiment);
 void read_extremes(Record& record, const RecordValue& experiment);
 
-/// Something that a record may have measured.
+/// An experiment that a record may have.
 struct Experiment {
-  const char* name;  ///< of its object in the record
-  bool (*is_in)(const Record&);
+  const char* name;              ///< key of its object in the record
+  bool (*is_in)(const Record&);  ///< tells whether a record has anything of it
   void (*read)(Record&, const RecordValue&);
 };
 
-/// The experiments, in the order of pages.
+/// The experiments, in the order in which pages show them.
 inline constexpr Experiment experiments[] = {
     {"paper", has_paper, read_paper},
     {"accuracy", [](const Record& r) { return !r.points.empty(); }, read_accuracy},
@@ -40,53 +40,54 @@ inline constexpr Experiment experiments[] = {
 
 // ---- what several experiments have ----
 
-/// Calls `read` with each element of a list that may be missing.
+/// Calls `read` with each element of a list of an experiment. The list may be missing.
 template <class Read>
 void read_each(const RecordValue& experiment, std::string_view list, const Read& read) {
   if (const auto found = experiment.find(list))
     for (const RecordValue& node : found->elements()) read(node);
 }
 
-/// Adds to a map what is read of a node. Throws InputError, with the words for it, when the map has
-/// the key.
+/// Adds a value, which was read from a node, to a map. Throws InputError when the map has the key.
+/// - name: words for the value, for the message
 template <class Map, class Key>
 void add_once(Map& map, const RecordValue& node, const Key& key, typename Map::mapped_type value,
               const std::string& name) {
   if (!map.emplace(key, std::move(value)).second) node.complain(name + " is given twice");
 }
 
-/// Read what names a case at a size, and a candidate.
+/// Read the keys of a node that name a case at a size, and those that name a candidate.
 CaseSize read_case_size(const RecordValue& node);
 CandidateKey read_key(const RecordValue& node);
 
 /// Reads "ok", "failed" or "not_run".
 Status read_status(const RecordValue& node);
 
-/// Reads a position, velocity and acceleration, each by a function of a value.
+/// Reads the members "position", "velocity" and "acceleration" by a function of a RecordValue.
 template <class Read>
 auto read_levels(const RecordValue& node, const Read& read) {
   return PerLevel{std::invoke(read, node["position"]), std::invoke(read, node["velocity"]),
                   std::invoke(read, node["acceleration"])};
 }
 
-/// Says what exceeds its limit: "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing
-/// does.
+/// Returns words for each level that exceeds its limit, "velocity differs by 2e-06, 1e-08 is
+/// allowed"; empty when none does.
 std::string excess(const LevelNumbers& found, const LevelNumbers& allowed);
 
-/// Turns something into a failure that has no time. An empty reason leaves it as it is.
+/// Turns a measurement into a failure that has no time. An empty reason leaves it as it is.
 void fail(Measurement& measurement, std::string reason);
 
-/// Reads samples of a time, at least one.
+/// Reads samples of a time [s], at least one.
 std::vector<double> read_samples(const RecordValue& node);
 
-/// Throws InputError when the clock of a time is another; `what` is measured by it.
+/// Throws InputError unless a time is by that clock. what: words for what is measured by it, for
+/// the message.
 void require_clock(const RecordValue& time, Clock clock, std::string_view what);
 
-/// Reads the time of a whole analysis: its clock, which `id` decides, its samples, and by the CPU
-/// clock its timing windows, where the settings have some.
+/// Reads the time of a whole analysis: its clock, which the id determines, its samples, and its
+/// timing windows, where the settings have some. By the wall clock the whole motion is one window.
 Time read_time(const RecordValue& node, const RecordSettings& settings, std::string_view id);
 
-/// Reads the time of a step, which has to be of the CPU clock.
+/// Reads the time of a step, which must be by the CPU clock.
 Time read_step_time(const RecordValue& node);
 
 }  // namespace desmo::report

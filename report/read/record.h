@@ -25,14 +25,14 @@ struct Machine {
   std::int64_t cores = 0;
   std::vector<std::string> caches;
   std::string governor;
-  double load_before = 0;  ///< of the last minute; 0 where it is not known
+  double load_before = 0;  ///< load average over the minute before the run; 0: not known
 };
 
 struct Build {
   std::string type;
   std::string compiler;
   std::string flags;
-  std::optional<std::string> link;  ///< "dynamic", and its flags
+  std::optional<std::string> link;  ///< type of linking, such as "dynamic", and flags
 };
 
 struct Blas {
@@ -41,17 +41,19 @@ struct Blas {
 };
 
 struct RecordSettings {
-  double tolerance = 0;  ///< of the norm of the constraint equations, whole mechanism
-  std::int64_t max_iterations = 0;
+  double tolerance = 0;             ///< Settings::tolerance, a limit of ‖Φ‖₂
+  std::int64_t max_iterations = 0;  ///< Settings::max_iterations
   std::string guess;
-  double step_seconds = 0;              ///< s, between two instants
-  double duration_seconds = 0;          ///< s, of simulated motion
-  std::int64_t instants = 0;            ///< solved in one analysis
-  std::optional<LevelNumbers> allowed;  ///< largest differences from the reference
-  std::optional<std::int64_t> windows;  ///< timing windows into which the motion is cut
+  double step_seconds = 0;      ///< time between two instants [s]
+  double duration_seconds = 0;  ///< duration of the motion [s]
+  std::int64_t instants = 0;    ///< number of instants of one analysis
+  std::optional<LevelNumbers>
+      allowed;  ///< largest differences from the reference, ≤; none: no limit
+  std::optional<std::int64_t>
+      windows;  ///< number of timing windows of the motion; none: no windows
 };
 
-/// The name of a candidate: unique in a record. Ordered by case, size, id.
+/// The key of a candidate, unique in a record. Ordered by case, size and id.
 struct CandidateKey : CaseSize {
   std::string id;
   auto operator<=>(const CandidateKey&) const = default;
@@ -66,29 +68,30 @@ inline std::string name_of(const CandidateKey& key) {
 inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
                                    "solve",    "right_hand_sides", "rest"};
 
-/// Wall-clock time of each phase of a step in an instrumented run [s], the median of several
-/// passes.
+/// Wall-clock time [s] of each phase of a step in an instrumented run: those of the pass with the
+/// median total among several.
 using Profile = std::array<double, phases.size()>;
 
-/// A formulation that solves only what is asked; without verification.
+/// The time of a formulation that solves only what a request asks. `verification` stays empty.
 struct MeasuredRequest : Measurement {
-  CandidateKey key;   ///< the formulation, and the candidate that solves everything with it
-  std::string name;   ///< unique for a candidate
-  std::string title;  ///< the request in words
-  std::string level;  ///< "position", "velocity", "acceleration"
-  std::int64_t unknowns = 0;
-  std::int64_t all_unknowns = 0;  ///< of the whole mechanism
+  CandidateKey key;           ///< key of the candidate that solves everything by the formulation
+  std::string name;           ///< name of the request, unique for a key
+  std::string title;          ///< the request in words
+  std::string level;          ///< highest level asked: "position", "velocity" or "acceleration"
+  std::int64_t unknowns = 0;  ///< number of unknowns solved at every instant
+  std::int64_t all_unknowns = 0;  ///< number of unknowns of the whole mechanism
 };
 
-/// Another library, or code written by hand, that solves a case at a size; with its name each once.
+/// A peer: another library, or code written by hand, that solves a case at a size. Unique by key.
 struct Peer : Measurement {
-  CandidateKey key;  ///< its id is "peer:<name>"
+  CandidateKey key;  ///< key whose id is "peer:<name>"
   std::string name;
   std::string library, library_version;
-  std::string method;  ///< how it is used, in a sentence
-  std::string guess;   ///< "previous", "quadratic": as in the ids of ours
+  std::string method;  ///< how it solves, in a sentence
+  std::string guess;   ///< "previous", "quadratic" …, as in ids of formulations
 };
 
+/// A record of one machine. An experiment that was not run leaves its members empty.
 struct Record {
   std::string version;
   std::string date;  ///< UTC, ISO 8601
@@ -100,61 +103,62 @@ struct Record {
   Blas blas;
   RecordSettings settings;
   std::vector<std::pair<std::string, std::string>> provenance;  ///< all of the head, as text
-  // paper; what the wall clock measured stands apart, so that no table mixes the two clocks
-  std::map<CandidateKey, Measurement> candidates;  ///< CPU clock; verified when ok
-  std::map<CandidateKey, Measurement> wall_candidates;
+  // paper; candidates by the wall clock stand apart, so that no table mixes the two clocks
+  std::map<CandidateKey, Measurement> candidates;  ///< by the CPU clock; with verification when ok
+  std::map<CandidateKey, Measurement> wall_candidates;  ///< by the wall clock; likewise
   std::map<CandidateKey, Profile> profiles;
-  std::vector<MeasuredRequest> requests;  ///< CPU clock, others are left out; in the record's order
-  std::vector<Peer> peers;                ///< CPU clock; in the record's order
+  std::vector<MeasuredRequest> requests;  ///< requests by the CPU clock, in the record's order
+  std::vector<Peer> peers;                ///< peers, by the CPU clock, in the record's order
   // accuracy
   std::map<SeriesKey, Floor> floors;  ///< one for every series that has points
   std::map<PointKey, Point> points;   ///< time against error
   // size
-  std::map<CandidateKey, TimedSize> growth;      ///< time against coordinates
-  std::map<CandidateKey, TimedSize> break_even;  ///< dense and sparse, by unknowns
+  std::map<CandidateKey, TimedSize> growth;  ///< time against number of coordinates
+  std::map<CandidateKey, TimedSize>
+      break_even;  ///< dense and sparse solvers at numbers of unknowns
   // modelling
-  std::map<CandidateKey, ModelledTime> modelled;  ///< by coordinates
+  std::map<CandidateKey, ModelledTime> modelled;  ///< ids name the kind of coordinates
   // instructions
   std::map<CandidateKey, StepCount> instructions;
   // extremes
-  std::vector<ExtremeRow> extreme_rows;  ///< the row of every result is among them
-  std::vector<ExtremeResult> extremes;   ///< in the record's order
+  std::vector<ExtremeRow> extreme_rows;  ///< rows, with the row of every result among them
+  std::vector<ExtremeResult> extremes;   ///< results, in the record's order
 };
 
-/// A candidate, request or peer with its key; it stands in the record.
+/// A candidate, request or peer with its key. It refers to the record.
 using NamedMeasurement = std::pair<CandidateKey, const Measurement*>;
 
-/// Returns all of the paper's experiment: candidates by the CPU clock and by the wall clock, then
-/// requests, then peers. The id of a request ends in "/request:<name>", a peer's is "peer:<name>".
+/// Returns all measurements of the paper's experiment: candidates by the CPU clock and by the wall
+/// clock, then requests, then peers. The id of a request ends in "/request:<name>".
 std::vector<NamedMeasurement> measurements(const Record& record);
 
-/// Returns the end "/request:<name>" of an id; empty where it is of no request.
+/// Returns the end "/request:<name>" of an id; empty where the id is of no request.
 inline std::string_view request_of(std::string_view id) {
   return id.substr(std::min(id.find("/request:"), id.size()));
 }
 
-/// Tells whether it has the paper's experiment.
+/// Tells whether a record has measurements of the paper's experiment.
 inline bool has_paper(const Record& record) {
   return !record.candidates.empty() || !record.requests.empty() || !record.peers.empty() ||
          !record.wall_candidates.empty();
 }
 
-/// Checks everything the report relies on: the schema's name and major version, required keys,
-/// types, times above zero, the verification of every "ok" candidate and request, as many windows
-/// as it says, nothing given twice, one machine, one model for each case and size with one set of
-/// results. An "ok" candidate or request that exceeds `record.settings.allowed` becomes a failed
-/// one that says so and has no time. Unknown keys are ignored, so that a record with a newer minor
-/// version is read. Throws InputError, or MixedRecord.
+/// Parses a record and checks all that the report relies on: the schema's name and major version,
+/// required keys, types, times above zero, the verification of every "ok" candidate, request, peer
+/// and size, as many windows as it says, nothing given twice, one machine, one model for each case
+/// and size with one set of results. What exceeds `record.settings.allowed` becomes a failure that
+/// says so and has no time. Unknown keys are ignored, so that a record with a newer minor version
+/// is read. Throws InputError, or MixedRecord.
 Record parse_record(std::string_view text, const std::string& file = "record");
 
-/// Reads a record that has been parsed already, alone or inside another document.
+/// Reads a record from a parsed document, of which it may be a part. Throws as parse_record().
 Record read_record(const RecordValue& root);
 
-/// Reads a file, plain or gzip, and parses it. Throws as parse_record, or UnreadableRecord.
+/// Reads a file, plain or gzip, and parses it. Throws as parse_record(), or UnreadableRecord.
 Record read_record(const std::filesystem::path& file);
 
-/// Reads every record of a folder, by the name of its file without endings. Throws as read_record,
-/// and UnreadableRecord where there is no folder.
+/// Reads every file of a folder that has ".json" in its name, as a record. The key is the name up
+/// to there. Throws as read_record(), and UnreadableRecord where there is no folder.
 std::map<std::string, Record> read_records(const std::filesystem::path& folder);
 
 }  // namespace desmo::report

@@ -10,35 +10,36 @@
 
 namespace desmo::report {
 
-/// The schema version that is known in full. Others of its major version and of the one before are
-/// read, too; CHANGELOG.md says what they promise.
+/// The schema version that is known in full. Other versions with its major version, or the one
+/// before, are read, too; CHANGELOG.md says what they promise.
 inline constexpr const char* schema_version = "3.0.0";
 
 // Results files that cannot be read throw InputError, whose message names file and place.
 
-/// A record put together from measurements that do not belong together.
+/// Error of a record with measurements that do not belong together.
 class MixedRecord : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// A record of another major schema version.
+/// Error of a document whose major schema version is not read.
 class UnsupportedVersion : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// A file that does not exist, or may not be read.
+/// Error of a file that does not exist, or cannot be read.
 class UnreadableRecord : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Reads the text of a file, compressed by gzip or not: at most max_file bytes. Throws
-/// UnreadableRecord, or InputError when there are more or the compressed data are damaged.
+/// Reads the text of a file, compressed by gzip or not. Throws UnreadableRecord when the file
+/// cannot be read or has more than max_file bytes, and InputError when it decompresses to more, or
+/// is damaged.
 std::string read_record_text(const std::filesystem::path& file);
 
-/// Parses a text and reads its document. A MixedRecord then names the file, too.
+/// Parses a text and calls read() with its root. Adds the file to the message of a MixedRecord.
 template <class Read>
 auto read_document(std::string_view text, const std::string& file, const Read& read) {
   const JsonDocument document(text, file);
@@ -49,13 +50,12 @@ auto read_document(std::string_view text, const std::string& file, const Read& r
   }
 }
 
-/// Throws InputError when a document is not of this schema or its version is none (2.0.0), and
-/// UnsupportedVersion, with what to do, when its major version is neither schema_version's nor the
-/// one before.
+/// Throws InputError when a document is not of the schema of that name, or has no version such as
+/// 2.0.0. Throws UnsupportedVersion, with what to do, when its major version is neither
+/// schema_version's nor the one before.
 void check_schema(const RecordValue& root, const std::string& name);
 
-/// Returns a note when a version that check_schema() accepts is newer than schema_version; empty
-/// when it is not.
+/// Returns a note when a version is newer than schema_version; empty when it is not.
 std::string note_on_version(const std::string& version);
 
 }  // namespace desmo::report

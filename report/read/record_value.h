@@ -14,8 +14,8 @@
 
 namespace desmo::report {
 
-/// Refers to a value of a document, which must outlive it. Everything throws InputError, naming
-/// file and place, when the value is not what is asked for.
+/// Reference to a value of a document, which must outlive it. Functions that read the value throw
+/// InputError, naming file and place, when it is not of the requested kind or range.
 class RecordValue : public JsonValue {
  public:
   RecordValue(JsonValue value) : JsonValue(value) {}  // NOLINT
@@ -33,7 +33,7 @@ class RecordValue : public JsonValue {
     return member ? std::optional(std::invoke(read, *member)) : std::nullopt;
   }
 
-  /// Reads every element of an array, likewise.
+  /// Reads every element of an array by such a function.
   template <class Read>
   auto list(const Read& read) const {
     std::vector<std::decay_t<std::invoke_result_t<Read, RecordValue>>> all;
@@ -41,19 +41,20 @@ class RecordValue : public JsonValue {
     return all;
   }
 
-  std::string text() const;    ///< control characters, which a terminal would obey, become spaces
-  std::string name() const;    ///< letters, digits, "_" and "-" only: it becomes part of file names
+  std::string text() const;    ///< text, with spaces for control characters, which terminals obey
+  std::string name() const;    ///< part of a file name: letters, digits, "_" and "-", one or more
   std::string digest() const;  ///< SHA-256: 64 hexadecimal digits in lower case
-  std::string utc() const;     ///< a date and a time in this form: 2026-11-21T17:48:47Z
-  std::int64_t integer(int least) const;  ///< in least ... 1e9
-  double not_negative() const;            ///< 0 ... 1e100, so that sums stay finite
-  double positive() const;                ///< above 0, at most 1e100
-  double sample() const;  ///< a measured time, 1e-9 s ... 1e9 s: no clock gives another
+  std::string utc() const;     ///< date and time in the form 2026-11-21T17:48:47Z
+  std::int64_t integer(int least) const;  ///< whole number, least ≤ it ≤ 1e9
+  double not_negative() const;            ///< number, 0 ≤ it ≤ 1e100, so that sums stay finite
+  double positive() const;                ///< number, 0 < it ≤ 1e100
+  double sample() const;                  ///< measured time [s], 1e-9 ≤ it ≤ 1e9
 
-  /// Returns every text, number and boolean inside by its path, "machine cpu"; a list in one text.
+  /// Returns every text, number and boolean inside, with its path, such as "machine cpu". All that
+  /// is in a list makes one text.
   std::vector<std::pair<std::string, std::string>> leaves() const;
 
-  /// Returns which of some words the text is, by position.
+  /// Returns the index of the text in a list of words. Throws InputError when it is none of them.
   std::size_t one_of(std::initializer_list<std::string_view> words) const;
 
  private:

@@ -1,4 +1,4 @@
-// A timed item of a record: what it is of, whether its answer is right, its times. Plain data.
+// A measurement of a record: what was measured, whether its answer is right, its times. Plain data.
 #pragma once
 
 #include <compare>
@@ -13,36 +13,37 @@ namespace desmo::report {
 /// A case at a size.
 struct CaseSize {
   std::string case_name;
-  std::int64_t coordinates = 0;
-  /// Returns whether it is of the same case and size; derived keys compare these alone.
+  std::int64_t coordinates = 0;  ///< size: number of coordinates
+  /// Returns whether case and size are the same; of derived keys nothing else is compared.
   bool is_at(const CaseSize& place) const { return *this == place; }
   auto operator<=>(const CaseSize&) const = default;
 };
 
 /// The clock of a time. Times of two clocks share neither a column nor a ratio.
 enum class Clock {
-  cpu,   ///< CPU seconds of one thread
-  wall,  ///< seconds that passed: where several threads work, and for what is compared with them
+  cpu,   ///< CPU time of one thread
+  wall,  ///< time that passes: for several threads, and for analyses compared with these
 };
 
-/// Times of the equal timing windows, pieces between two clock readings, into which a motion is
-/// cut. Each vector has one value a window, or is empty where the record has none.
+/// Times of the timing windows into which a motion is cut: pieces of equally many instants, up to
+/// one, between two clock readings. Vectors have one element for each window, or are empty where
+/// the record has none.
 struct Windows {
-  std::vector<double> least = {};  ///< seconds: the least that any analysis took
+  std::vector<double> least = {};  ///< least time [s] that any analysis took
   // The following are empty where updates are not counted.
   std::vector<double> instants = {};              ///< number of instants
-  std::vector<double> updates = {};               ///< updates of unknowns by Newton's method
-  std::vector<std::vector<double>> samples = {};  ///< seconds, by analysis
+  std::vector<double> updates = {};               ///< number of unknowns that Newton's method moved
+  std::vector<std::vector<double>> samples = {};  ///< times [s] of all windows, by analysis
 };
 
 /// Samples of a time, by one clock.
 struct Time {
   Clock clock = Clock::cpu;
-  std::vector<double> seconds;  ///< one per repetition
-  Windows windows;              ///< as many as the record's settings say; one by the wall clock
+  std::vector<double> seconds;  ///< samples [s], one for each repetition
+  Windows windows;  ///< empty unless the record's settings have windows; one by the wall clock
 };
 
-/// Tells whether a formulation of this id, with settings, is measured by the wall clock.
+/// Tells whether a formulation with this id is measured by the wall clock.
 inline bool is_by_wall(std::string_view id) {
   return id.find("/threads:") != id.npos || id.find("/clock:wall") != id.npos;
 }
@@ -56,22 +57,22 @@ struct PerLevel {
 };
 using LevelNumbers = PerLevel<double>;
 
-/// The origin of a time. Digests are SHA-256.
+/// The origin of a time. Digests are SHA-256. A member is none where it is not recorded.
 struct Origin {
-  std::optional<std::string> machine;  ///< CPU that it was measured on
-  std::optional<std::string> model;    ///< digest of the mechanism
+  std::optional<std::string> machine;  ///< name of the CPU
+  std::optional<std::string> model;    ///< digest of the modelled mechanism
   std::optional<std::string> results;  ///< digest of the answers, rounded to what is allowed
 };
 
-/// Something that was to be timed: an analysis, or a step of one.
+/// The measurement of an analysis, or of a step of one, which may have failed.
 struct Measurement {
   Status status = Status::not_run;
-  std::string message;  ///< why it has no time
+  std::string message;  ///< why it has no time; may be empty
   Origin origin = {};
   Time time = {};  ///< has samples when ok only
-  /// Largest absolute differences from the reference.
+  /// Largest differences from the reference: absolute; of a scene of the user's own relative.
   std::optional<LevelNumbers> verification = {};
-  std::optional<double> setup_seconds = {};
+  std::optional<double> setup_seconds = {};  ///< CPU time of the set-up [s], not part of `time`
   std::optional<double> iterations_per_step = {};
 };
 
