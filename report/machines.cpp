@@ -11,7 +11,8 @@
 namespace desmo::report {
 namespace {
 
-/// Returns the speed-up of a key; nothing for the reference itself, or without one.
+/// Returns the speed-up of a key relative to reference_of() it. Returns nothing for the reference
+/// itself, and where one of the two has no time.
 std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& key,
                                    const Measurement& variant) {
   const auto reference = group.measurements.find(reference_of(key));
@@ -19,8 +20,8 @@ std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& 
   return measured_speed_up(measured(*reference->second), measured(variant)).speed_up;
 }
 
-/// Keys of the points of accuracy that stand next to another machine's: of thousands those in front
-/// of a figure, and those with the paper's settings.
+/// Returns the keys of the points of accuracy that stand next to another machine's. Of thousands,
+/// these are the Pareto points of the figures, and those without settings.
 std::set<CandidateKey> points_in_front(const Record& record) {
   std::set<CandidateKey> keys;
   for (const SeriesKey& series : drawn_series(record)) {
@@ -34,7 +35,7 @@ std::set<CandidateKey> points_in_front(const Record& record) {
   return keys;
 }
 
-/// Returns a table for every group in which both have speed-ups.
+/// Returns a table for every group in which both records have a speed-up of the same key.
 std::vector<Table> speed_ups_of_both(const Record& first, const Record& second) {
   std::vector<Table> tables;
   const std::set<CandidateKey> in_front = points_in_front(first);
@@ -69,7 +70,7 @@ std::size_t rows_in(const std::vector<Table>& tables) {
 }  // namespace
 
 Section machines(const Record& record, const std::vector<const Record*>& others) {
-  std::map<std::string, std::vector<Table>> best;  // by machine: what has most in common
+  std::map<std::string, std::vector<Table>> best;  // by CPU: tables of the record with most rows
   for (const Record* other : others) {
     if (record.machine.cpu == other->machine.cpu || !different_work_reasons(record, *other).empty())
       continue;

@@ -23,7 +23,7 @@ namespace {
 using namespace desmo;
 using namespace desmo::report;
 
-// Below 64, the numbers of CheckVerdict; from 64 on, those of sysexits.h, named as in bench/.
+// Exit codes: below 64 the numbers of CheckVerdict, from 64 on those of sysexits.h.
 enum ExitCode {
   success = 0,
   invalid = 2,
@@ -36,15 +36,15 @@ enum ExitCode {
 struct TablesCommand {
   std::string record;
   std::vector<std::string> beside;
-  std::string folder;  // empty: standard output only
-  std::vector<std::string> formats;
-  std::vector<std::string> tables;  // empty: all
-  std::string history;              // file; empty: none
-  bool all = false;
+  std::string folder;                // folder for files; empty: standard output only
+  std::vector<std::string> formats;  // empty: all into a folder, terminal on standard output
+  std::vector<std::string> tables;   // names of tables; empty: all
+  std::string history;               // file of a history; empty: none
+  bool all = false;                  // print every table, not only the short report
 };
 
-/// Returns the message about a table that a report does not have: those with the longest common
-/// beginning of two letters or more, and all.
+/// Returns the message about a table that a report does not have. It names the tables that begin
+/// with most of the same letters, two or more, and all tables.
 std::string no_table(const std::string& name, const std::vector<std::string>& known) {
   constexpr std::size_t min_common = 2;
   const auto common = [&](const std::string& other) {
@@ -61,7 +61,8 @@ std::string no_table(const std::string& name, const std::vector<std::string>& kn
          (nearest.empty() ? "" : "; the nearest: " + nearest) + "; there are: " + all;
 }
 
-/// Keeps only the tables of these names, without the sections' paragraphs.
+/// Returns a document with the tables of these names only, without paragraphs and definitions, and
+/// none of them as detail. Throws std::invalid_argument for a name that no table has.
 Document with_tables(Document document, const std::vector<std::string>& names) {
   std::vector<std::string> missing = names, known;
   for (Section& section : document.sections) {
@@ -126,7 +127,7 @@ struct CheckCommand {
   std::string file;      // results file of a check
   std::string baseline;  // results file to compare with; empty: the check holds both sides
   std::string format = "terminal";
-  bool pending = false;  // only list what has still to be measured, "PASS CANDIDATE" a line
+  bool pending = false;  // list pending() measurements, one a line, in place of the verdict
 };
 
 /// Prints the verdict, or what is pending, on standard output. Returns the exit code: the number of
@@ -190,7 +191,7 @@ int main(int argc, char** argv) {
     std::cerr << "desmo_report: " << error.what() << "\n";
     return code;
   };
-  const bool is_check = check_app->parsed();  // a check that cannot be judged has codes of its own
+  const bool is_check = check_app->parsed();  // checks have other exit codes for the same errors
   try {
     if (is_check) return verdict(check);
     if (site_app->parsed()) return site(filed);

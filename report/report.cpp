@@ -23,8 +23,8 @@ std::vector<Section> paper_sections(const Record& record) {
           {sentence("time_split.section"), {}, {time_split(record)}}};
 }
 
-/// Returns the sections of an experiment, the one in front first. Its name and title are those of
-/// the block "experiments" in text/texts.txt.
+/// Names of experiments, with functions that return their sections, the short one first. The block
+/// "experiments" in text/texts.txt has a title for each name.
 constexpr std::pair<std::string_view, std::vector<Section> (*)(const Record&)> sections_of[] = {
     {"paper", paper_sections},
     {"accuracy", accuracy_sections},
@@ -33,13 +33,14 @@ constexpr std::pair<std::string_view, std::vector<Section> (*)(const Record&)> s
     {"instructions", instructions_sections},
     {"extremes", extremes_sections}};
 
-/// Leaves of a long table of speed-ups the paper's largest size of each case, or the largest.
+/// Returns a table of speed-ups as detail. Of more than 200 rows it keeps those of one size of each
+/// case: the paper's largest size, or, where that is missing, the case's largest.
 Table on_page(Table table) {
   constexpr std::size_t max_rows = 200;
   table.detail = true;
   if (table.rows.size() <= max_rows) return table;
   const std::string published = std::to_string(published_sizes().back());
-  std::map<std::string, std::string> kept;  // by case; rows are in the order of sizes
+  std::map<std::string, std::string> kept;  // size by case; rows are in the order of sizes
   for (const auto& row : table.rows)
     if (std::string& size = kept[row[0].shown]; size != published) size = row[1].shown;
   std::erase_if(table.rows, [&](const auto& row) { return kept[row[0].shown] != row[1].shown; });

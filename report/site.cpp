@@ -9,7 +9,7 @@ namespace desmo::report {
 std::map<std::string, std::vector<NewFile>> make_site(const std::filesystem::path& results) {
   const std::filesystem::path history_file = results / "history.json";
   const std::map<std::string, Record> records = read_records(results / "records");
-  std::map<std::string, std::vector<NewFile>> pages;  // by folder
+  std::map<std::string, std::vector<NewFile>> pages;  // files by folder
   std::vector<IndexRow> rows;
   const auto add = [&](IndexRow row, Document document) {
     document.home = "../index.html";

@@ -33,7 +33,7 @@ bool any(const Findings& findings, Finding outcome) {
   return std::ranges::any_of(findings, [&](const auto& f) { return f.outcome == outcome; });
 }
 
-/// Removes the work of candidates whose answers are wrong: the verdict says nothing else of them.
+/// Removes the work of candidates whose answers are wrong: the verdict says only that of them.
 void remove_invalid_work(CheckOutcome& outcome) {
   for (const Excluded& wrong : outcome.invalid)
     std::erase_if(outcome.work.candidates,

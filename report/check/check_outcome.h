@@ -12,11 +12,11 @@ namespace desmo::report {
 /// The verdict of a check; its number is the exit code of `desmo_report check`. Where several hold,
 /// the gravest counts: invalid, then regression, incomparable, inconclusive, pass.
 enum class CheckVerdict {
-  pass = 0,          ///< nothing became slower
-  regression = 1,    ///< time or work of some candidate raised an alarm, twice for time
-  invalid = 2,       ///< answers are wrong, or head lacks a candidate of the base or baseline
+  pass = 0,          ///< nothing is known to have become slower
+  regression = 1,    ///< time or work of some candidate raised an alarm, for time in two passes
+  invalid = 2,       ///< answers in head are wrong, or head lacks a candidate of base or baseline
   inconclusive = 3,  ///< times are too noisy, or a second pass is missing
-  incomparable = 4,  ///< times or work may not be compared, or nothing was
+  incomparable = 4,  ///< times or work cannot be compared, or there is nothing to compare
 };
 
 /// A candidate whose times are not compared, and the reason: wrong now, wrong before, or new.
@@ -30,21 +30,22 @@ struct CheckOutcome {
   std::vector<Excluded> invalid;        ///< candidates whose answers in head are wrong
   std::vector<std::string> missing;     ///< candidates of the base or baseline that head lacks
   std::vector<Excluded> excluded;       ///< candidates that are new, or were wrong before
-  std::vector<Difference> differences;  ///< why no time is compared; empty when times are
+  std::vector<Difference> differences;  ///< why times cannot be compared; empty where they can
   TimeFindings time;
   WorkFindings work;
 };
 
-/// Compares head with base or, where a baseline is given, counts alone with it, an earlier check of
-/// one tree. With neither, a right head is CheckVerdict::incomparable.
+/// Compares times and counts of head with those of base; where a baseline is given, counts of head
+/// with those of the baseline's head only. With neither, the verdict is CheckVerdict::incomparable
+/// unless head is wrong.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
-/// Returns the measurements that could still change the verdict: "first CANDIDATE" or "second
-/// CANDIDATE", by pass.
+/// Returns the measurements that could still change the verdict: "first CANDIDATE" where the first
+/// pass has to be repeated or prolonged, "second CANDIDATE" where the second one has.
 std::vector<std::string> pending(const CheckOutcome& found);
 
-/// Returns the verdict with its reasons, a table of times and one of instructions, and a line on
-/// what was measured where.
+/// Returns the verdict with its reasons, a table of times and one of instructions, where there are
+/// any, and a line on what was measured where.
 Document verdict_document(const CheckRecord& check, const CheckOutcome& found);
 
 }  // namespace desmo::report

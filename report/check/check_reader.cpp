@@ -31,8 +31,8 @@ Work read_work(const RecordValue& node, bool two_sides) {
   return work;
 }
 
-// Both sides have the same candidates; what was timed on one was timed on the other, in the same
-// rounds.
+// Checks that both sides have the same candidates, and that those that are timed on both sides have
+// as many rounds there.
 void check_pairs(const CheckRecord& check, const RecordValue& root) {
   for (const auto& [key, head] : check.head.candidates) {
     const auto base = check.base->candidates.find(key);
@@ -48,13 +48,13 @@ void check_pairs(const CheckRecord& check, const RecordValue& root) {
       root["head"].complain("the candidate " + name_of(key) + " of base is missing");
 }
 
-// Its answers are right, whether it was timed or not.
+// Returns whether a candidate's answers are right, whether it was timed or not.
 bool is_sound(const Measurement& candidate) {
   return candidate.status != Status::failed && candidate.verification;
 }
 
-// Refuses a candidate that is sound on every side, but was not measured by every means of the
-// check.
+// Refuses a candidate that is sound on both sides, or on head where it is alone, but has no times
+// in a check with times, or no count in a check with counts.
 void check_complete(const CheckRecord& check, const RecordValue& root) {
   const RecordValue head = root["head"];
   const bool timed = root.find(control_name).has_value();

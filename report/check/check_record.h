@@ -14,47 +14,49 @@
 
 namespace desmo::report {
 
-/// Name of the fixed kernel that is timed like a candidate.
+/// Name of the control: a fixed kernel that is timed like a candidate, so that its times show
+/// changes of the machine.
 inline constexpr const char* control_name = "control";
 
-/// The least CPU seconds of a candidate in each round, as many on either side.
+/// The least CPU time [s] of each round, of a candidate or the control. Base and head have as many.
 struct Rounds {
   std::vector<double> base, head;
 };
 
-/// Instructions of a candidate's counted steps.
+/// Numbers of instructions of a candidate's counted steps.
 struct Instructions {
   std::optional<std::int64_t> base;  ///< none when head was counted alone
   std::int64_t head = 0;
 };
 
+/// Counts of instructions. Two of them are comparable only with the same tool, steps and
+/// iterations.
 struct Work {
-  std::string tool;
-  std::int64_t steps = 0, iterations = 0;  ///< steps counted, and iterations in each; counts
-                                           ///< compare where both are equal
-  std::map<std::string, Instructions> instructions;  ///< by candidate
+  std::string tool;                        ///< counting program, and versions that counts depend on
+  std::int64_t steps = 0, iterations = 0;  ///< number of steps counted, and of iterations in each
+  std::map<std::string, Instructions> instructions;  ///< by name_of() the candidate
 };
 
+/// A check: two trees, base and head, that were timed, counted or both; or head, counted alone.
 struct CheckRecord {
-  std::optional<Record> base;  ///< none when head was counted alone: nothing is timed then
-  Record head;                 ///< samples: the first pass, a value a round
-  Rounds control;              ///< times of the fixed kernel in the first pass
+  std::optional<Record> base;  ///< none when head was counted alone
+  Record head;                 ///< its samples are those of the first pass, one for each round
+  Rounds control;              ///< times of the control in the first pass
   std::map<std::string, Rounds>
-      second;  ///< pass that confirms the first, by candidate, with the control
-  std::optional<Work> work;
+      second;  ///< second pass by name_of() the candidate, and by control_name; may be empty
+  std::optional<Work> work;  ///< none: nothing was counted
   std::string slowed;  ///< what was made slower on purpose, SIDE:CANDIDATE:PERCENT; empty: nothing
 };
 
-/// Tells whether a side has times, of any candidate.
+/// Tells whether any candidate of a side has times.
 bool has_times(const Record& side);
 
-/// Checks everything that a verdict relies on: that both sides have the same candidates, and that
-/// what is right on both was measured by all that was used, Time, Work or both. The two sides are
-/// records of their own, read as such. Throws InputError, naming the place; UnsupportedVersion
-/// and MixedRecord where they apply.
+/// Parses a check and checks all that a verdict relies on: both sides are records and have the same
+/// candidates, and a candidate that is right on both was timed where any was, and counted where any
+/// was. Throws InputError, naming the place, UnsupportedVersion or MixedRecord.
 CheckRecord parse_check(std::string_view text, const std::string& file = "check");
 
-/// Throws as parse_check, or UnreadableRecord.
+/// Reads and parses a file, plain or gzip. Throws as parse_check(), or UnreadableRecord.
 CheckRecord read_check(const std::filesystem::path& file);
 
 }  // namespace desmo::report

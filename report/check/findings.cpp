@@ -8,7 +8,7 @@
 namespace desmo::report {
 namespace {
 
-// 1 slower, -1 faster, 0 neither.
+// Returns 1 where a change is an alarm, −1 where it is an improvement, 0 where it is neither.
 int direction(const Change& c) {
   if (c.ratio > max_change && c.low > max_certain_change) return 1;
   if (c.ratio < 1 / max_change && c.high < 1 / max_certain_change) return -1;
@@ -19,10 +19,10 @@ bool beyond(double ratio, double limit) { return ratio > limit || ratio < 1 / li
 
 bool is_wide(const Change& c) { return c.high / c.low > max_interval_width; }
 
-// Not alarming, but not to be trusted either.
+// Returns whether a change that is no alarm does not show either that nothing has changed.
 bool is_undecided(const Change& c) { return is_wide(c) || beyond(c.ratio, max_change); }
 
-using Pass = std::map<std::string, Rounds>;  // by candidate, with the control
+using Pass = std::map<std::string, Rounds>;  // by name_of() the candidate, and by control_name
 
 Pass first_pass(const CheckRecord& check) {
   Pass pass;
@@ -79,7 +79,8 @@ TimeFindings find_times(const CheckRecord& check) {
 
 namespace {
 
-/// "OpenBLAS 0.3.21" of "OpenBLAS 0.3.21 ... Haswell ...": the rest tells of the processor.
+/// Returns the first two words of a library's version: "OpenBLAS 0.3.21" of "OpenBLAS 0.3.21 ...
+/// Haswell ...", the rest of which depends on the processor.
 std::string product(const std::string& version) {
   return version.substr(0, version.find(' ', version.find(' ') + 1));
 }

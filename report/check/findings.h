@@ -1,4 +1,4 @@
-// Meaning of a check's times and instruction counts, candidate by candidate.
+// What a check's times and counts of instructions mean, candidate by candidate.
 #pragma once
 
 #include <cstdint>
@@ -12,63 +12,67 @@
 
 namespace desmo::report {
 
-/// Ratios of times, head over base, that raise an alarm: the median is above max_change and the
-/// lower end of its interval above max_certain_change, in two passes in a row. An improvement is
-/// the same with base and head exchanged.
+/// Limits of the ratio time of head / time of base without an alarm, ≤. An alarm is raised when the
+/// median is above max_change and the lower end of its interval above max_certain_change, in two
+/// passes in a row. An improvement is an alarm with base and head exchanged.
 inline constexpr double max_change = 1.05;
 inline constexpr double max_certain_change = 1.02;
-/// Largest width of an interval, its upper end over its lower one. A wider interval does not show
-/// that nothing has changed.
+/// Largest width of an interval, upper end / lower end, ≤. A wider interval does not show that
+/// nothing has changed.
 inline constexpr double max_interval_width = 1.05;
-/// Largest ratio of the control's times. A larger one, or an interval wider than the above, makes
-/// all times too noisy.
+/// Largest ratio of the control's times, in either direction, ≤. A larger one, or an interval wider
+/// than max_interval_width, makes all times too noisy.
 inline constexpr double max_control_change = 1.02;
-/// Least change of the instructions that raises an alarm [%], rounded to the tenth that is shown.
+/// Least change of the instructions that raises an alarm, ≥ [%], after rounding to the tenth that
+/// is shown.
 inline constexpr double min_alarming_percent = 1.0;
 
+/// The finding on one candidate, by time or by work.
 enum class Finding {
   same,
   improvement,
   regression,
-  unconfirmed,  ///< needs its second pass
-  refuted,      ///< the second pass does not say what the first did
-  noisy,        ///< needs more rounds
+  unconfirmed,  ///< the first pass shows a change, and there is no second pass
+  refuted,      ///< the second pass does not show the change that the first did
+  noisy,        ///< more rounds are needed
 };
 
-/// Returns whether the machine, and not what was measured, changed so much that no time can be
-/// judged.
+/// Returns whether the control's times changed so much, or have so wide an interval, that no time
+/// can be judged: the machine has changed.
 bool is_unsteady(const Change& control);
 
 struct TimeFinding {
   std::string candidate;
-  double base_seconds = 0, head_seconds = 0;  ///< medians over the rounds
-  Change first;
-  std::optional<Change> second = {};
+  double base_seconds = 0, head_seconds = 0;  ///< medians of the first pass's rounds [s]
+  Change first;                               ///< change by the first pass
+  std::optional<Change> second = {};          ///< change by the second pass; none: it is missing
   Finding outcome = Finding::same;
 };
 
 struct TimeFindings {
-  std::optional<Change> control;  ///< of the first pass; none when nothing was timed
+  std::optional<Change> control;  ///< change of the control in the first pass; none: nothing timed
   std::vector<TimeFinding> candidates;
 };
 
-/// Compares base with head, round by round.
+/// Compares the times of head with those of base, round by round.
 TimeFindings find_times(const CheckRecord& check);
 
 struct WorkFinding {
   std::string candidate;
-  std::int64_t base = 0, head = 0;  ///< instructions
-  double percent = 0;               ///< change, rounded to a tenth
+  std::int64_t base = 0, head = 0;  ///< numbers of instructions
+  double percent = 0;               ///< change from base to head [%], rounded to a tenth
   Finding outcome = Finding::same;
 };
 
 struct WorkFindings {
-  std::vector<Difference> differences;  ///< why the counts cannot be compared; then no candidates
-  std::vector<WorkFinding> candidates;  ///< candidates that both sides have counted
+  /// Why the counts cannot be compared; `candidates` is then empty.
+  std::vector<Difference> differences;
+  std::vector<WorkFinding> candidates;  ///< candidates that were counted on both sides
 };
 
-/// Compares head with base, or with a stored baseline. Counts depend on compiler, flags, libraries
-/// and tool, but not on the processor: callgrind shows every program the same one.
+/// Compares the counts of head with those of base, or of a stored baseline's head. Counts depend on
+/// compiler, flags, libraries and tool, but not on the processor: callgrind shows every program the
+/// same one.
 WorkFindings find_works(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
 }  // namespace desmo::report

@@ -9,10 +9,10 @@
 namespace desmo::report {
 namespace {
 
-constexpr double tail = 0.005;  // on either side of the 99 % interval
+constexpr double tail = 0.005;  // probability on either side of the 99 % interval
 
-/// Returns the smallest of values in ascending order that the median of a resample exceeds with a
-/// probability of at most 1 − p.
+/// Returns the smallest value that the median of a resample exceeds with a probability of at most
+/// 1 − p. values: in ascending order.
 double quantile(const std::vector<double>& values, double p) {
   std::size_t k = 1;
   while (k < values.size() && median_at_most(k, values.size()) < p) ++k;

@@ -1,4 +1,4 @@
-// The forms in which a document can be written. All print Entry::shown or Entry::digits as they
+// The formats in which a document can be written. All print Entry::shown or Entry::digits as they
 // are; none rounds.
 #pragma once
 
@@ -12,34 +12,35 @@
 
 namespace desmo::report {
 
-/// Aligned text for people; leaves out tables of detail and says so. UTF-8.
+/// Returns a document as aligned text in UTF-8. Leaves out tables of detail and names them.
 std::string to_terminal(const Document& document);
 
-/// Writes the sections of a document that are its front, without titles, for the end of a run.
+/// Returns the sections of a document that are its front, without their titles, as aligned text.
 /// Lines have at most 100 characters where columns allow it.
 std::string front_to_terminal(const Document& document);
 
-/// RFC 4180 with "\n"; the first line is the heading. A column with quantities becomes one field
-/// per quantity, named "<column> <quantity>"; where there is no number the first of them holds the
-/// note (FAILED, —). Reservations about numbers are in the last field, "notes". A text that a
-/// spreadsheet would take for a formula begins with an apostrophe.
+/// Returns a table as CSV: RFC 4180 with "\n"; the first line is the heading. A column with
+/// quantities becomes one field per quantity, named "<column> <quantity>"; where an entry has no
+/// number, the first of them holds the note (FAILED, —). Where there are such columns, the last
+/// field, "notes", has the reservations about numbers. A text that a spreadsheet would take for a
+/// formula begins with an apostrophe.
 std::string to_csv(const Table& table);
 
-/// The whole report as one object: "title" and "sections", each with "chapter", "title",
-/// "paragraphs" and "tables", each with "name", "title", "notes" and "rows". A row is an object by
-/// column: a text or a number, or for a column with quantities an object of these, null where there
-/// is none, with a "note" in place of a number (FAILED, —) or about it.
+/// Returns a document as one JSON object: "title" and "sections", each with "chapter", "title",
+/// "paragraphs", "definitions" and "tables", each with "name", "title", "notes" and "rows". A row
+/// is an object by column: a text or a number, or for a column with quantities an object of these,
+/// null where there is none, with a "note" in place of a number (FAILED, —) or about it.
 std::string to_json(const Document& document);
 
-/// GitHub's dialect.
+/// Returns a document as Markdown in GitHub's dialect.
 std::string to_markdown(const Document& document);
 
-/// A page, self-contained: no script, no request to a network, figures missing and named. What
-/// stands between the comments "<!-- NAME -->" and "<!-- end of NAME -->", NAME a figure or
-/// "scripts", belongs to report/figures/render, which puts the figures there.
+/// Returns a document as a self-contained page: no script, no request to a network. In place of
+/// each figure it says that the figure is missing. report/figures/render replaces what is between
+/// the comments "<!-- NAME -->" and "<!-- end of NAME -->", where NAME is a figure or "scripts".
 std::string to_html(const Document& document);
 
-/// A page of a site, NAME/report.html, and what was found there.
+/// A row of a site's index: the page NAME/report.html, and Section::numbers of its first section.
 struct IndexRow {
   std::string name, title, machine, date;
   std::vector<std::string> numbers;
@@ -48,23 +49,25 @@ struct IndexRow {
 /// Writes the page of a site's index, self-contained, with a selector of machine and date.
 std::string to_index(const std::vector<IndexRow>& rows);
 
-/// Replaces some characters.
+/// Returns a text in which texts stand in place of some characters.
 std::string escaped(std::string_view text, const std::map<char, std::string>& escapes);
 
-/// Characters of UTF-8, not bytes.
+/// Returns the number of characters of a text in UTF-8.
 std::size_t characters(const std::string& text);
 
-/// Characters of a row in which every entry is its column's longest: how wide a table gets.
+/// Returns the sum over columns of the number of characters of the longest entry. Headings do not
+/// count.
 std::size_t row_width(const Table& table);
 
 /// Names of all formats.
 inline const std::vector<std::string> format_names{"terminal", "csv", "json", "markdown", "html"};
 
-/// The files of one format: one, or for csv one per table. The format is one of format_names.
+/// Returns the files of a document in one of the formats: one file, or for csv one for each table.
+/// Throws std::invalid_argument for another format.
 std::vector<NewFile> render(const Document& document, const std::string& format);
 
-/// Returns a document in some formats, one after the other. Several tables of csv have a blank line
-/// between them and their names in a first column, "table".
+/// Returns the text of a document in some formats, one after the other. In csv, several tables have
+/// a blank line between them and their names in a first column, "table".
 std::string printed(const Document& document, const std::vector<std::string>& formats);
 
 }  // namespace desmo::report

@@ -15,8 +15,8 @@ constexpr std::array<std::pair<std::string_view, std::string Configuration::*>, 
      {"iterations", &Configuration::iterations},
      {"tolerance", &Configuration::tolerance}}};
 
-/// Adds a suffix, `key:value` or a word that is no setting's key. Returns whether it is one of
-/// these.
+/// Adds a suffix, `key:value` or a word that is no setting's key, to a configuration. Returns false
+/// where the suffix is neither.
 bool add(Configuration& configuration, std::string_view suffix) {
   const std::size_t colon = suffix.find(':');
   const std::string_view key = suffix.substr(0, colon);

@@ -9,7 +9,8 @@
 namespace desmo::report {
 namespace {
 
-/// Returns the errors allowed: they grow with a tolerance beyond the record's.
+/// Returns the largest errors allowed: those of the settings, times tolerance / the record's
+/// tolerance where that is above 1.
 LevelNumbers allowed_of(const TimedSize& entry, const RecordSettings& settings) {
   const double times = std::max(1.0, entry.tolerance / settings.tolerance);
   const LevelNumbers& allowed = *settings.allowed;

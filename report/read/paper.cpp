@@ -9,7 +9,7 @@
 namespace desmo::report {
 namespace {
 
-// Reads a time of the CPU clock, by which everything is measured that is done once.
+// Reads the time of a set-up, which is done once and measured by the CPU clock [s].
 double read_setup(const RecordValue& time) {
   require_clock(time, Clock::cpu, "a set-up");
   const std::vector<double> samples = time["seconds"].list(&RecordValue::not_negative);
@@ -17,7 +17,7 @@ double read_setup(const RecordValue& time) {
   return samples.front();
 }
 
-/// Reads what requests have, too. Times of a wrong answer are not times.
+/// Reads what candidates and requests have in common. A time is read only where the status is ok.
 Measurement read_solved(const RecordValue& node, const RecordSettings& settings,
                         std::string_view id) {
   Measurement candidate{
@@ -97,7 +97,7 @@ CandidateKey read_key(const RecordValue& node) { return {read_case_size(node), n
 
 void read_paper(Record& record, const RecordValue& experiment) {
   const RecordSettings& settings = record.settings;
-  for (const char* list : {"candidates", "cells"})  // as schema 2 calls them
+  for (const char* list : {"candidates", "cells"})  // "cells" until schema 3.0.0
     read_each(experiment, list, [&](const RecordValue& node) {
       const CandidateKey key = read_key(node);
       add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,

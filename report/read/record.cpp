@@ -1,4 +1,4 @@
-// A record: its head, what was measured on, built and set; then its experiments.
+// The reader of a record: its head (machine, build, settings), then its experiments.
 #include <cmath>
 #include <utility>
 
@@ -71,8 +71,8 @@ Record read_environment(const RecordValue& node) {
 /// Throws MixedRecord unless all was measured on one machine, and all of a case and size has one
 /// model, and one set of results for each request.
 void require_one_origin(const Record& record) {
-  using Place = std::pair<CaseSize, std::string>;              // and what
-  std::map<Place, std::pair<std::string, std::string>> first;  // digest, and whose
+  using Place = std::pair<CaseSize, std::string>;  // with "model", or "results" and a request
+  std::map<Place, std::pair<std::string, std::string>> first;  // digest, and name of its candidate
   const auto agree = [&](const CandidateKey& key, const std::string& what,
                          const std::optional<std::string>& digest, const std::string& problem) {
     if (!digest) return;

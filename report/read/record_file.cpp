@@ -48,7 +48,7 @@ std::string read_record_text(const std::filesystem::path& file) {
 
 namespace {
 
-/// MAJOR.MINOR.PATCH; compares in this order.
+/// A version MAJOR.MINOR.PATCH, which compares in this order.
 using Version = std::array<int, 3>;
 
 std::optional<Version> parse_version(std::string_view text) {
@@ -67,7 +67,7 @@ const Version known_version = *parse_version(schema_version);
 
 }  // namespace
 
-// Before 2.0.0 the key of the version was another.
+// Before 2.0.0 the key of the version was "version".
 void check_schema(const RecordValue& root, const std::string& name) {
   const std::string schema = root["schema"].text();
   if (schema != name) root["schema"].complain("\"" + schema + "\" is not \"" + name + "\"");

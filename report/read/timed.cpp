@@ -19,7 +19,8 @@ std::vector<double> read_windows(const RecordValue& node, std::size_t count, con
   return values;
 }
 
-// Equal by instants, the rest shared out as desmo_bench does.
+// Returns the number of instants of each window. They differ by one at most, as desmo_bench cuts
+// the motion.
 std::vector<double> instants_of_windows(std::int64_t instants, std::size_t count) {
   const auto windows = static_cast<std::int64_t>(count);
   std::vector<double> of_each;
@@ -35,8 +36,8 @@ std::vector<double> least_of(const std::vector<std::vector<double>>& samples, st
   return least;
 }
 
-// Several threads deliver in another order every time: a piece of the motion has no time of its
-// own, and the whole motion is the only window.
+// Returns the whole motion as the only window. Several threads deliver instants in another order
+// every time, so that a piece of the motion has no time of its own.
 Windows one_window(const RecordSettings& settings, const std::vector<double>& seconds) {
   Windows whole{.least = {std::ranges::min(seconds)},
                 .instants = {static_cast<double>(settings.instants)},
@@ -64,8 +65,8 @@ Windows read_windows(const RecordValue& node, const RecordSettings& settings) {
   return windows;
 }
 
-// The windows of a repetition cover all of it, so their least times add up to no more than the
-// shortest repetition; a thousandth is left to the clock.
+// Throws InputError where the least times of windows add up to more than the shortest repetition,
+// of which all windows are parts. A thousandth is left to the clock.
 void require_within_repetition(const RecordValue& node, const Time& time) {
   const std::vector<double>& least = time.windows.least;
   if (std::accumulate(least.begin(), least.end(), 0.0) > 1.001 * std::ranges::min(time.seconds))

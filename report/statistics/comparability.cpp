@@ -12,7 +12,7 @@ namespace {
 
 const CandidateKey& timing_key(const CandidateKey& key) { return key; }
 
-/// Returns the steps of all sizes or points.
+/// Returns the measurements of a step among entries: sizes or points.
 template <class Entries>
 Measurements steps_of(const Entries& entries) {
   Measurements all;
@@ -49,7 +49,7 @@ CandidateKey reference_of(const CandidateKey& key) {
 
 namespace {
 
-/// Differences, each once for all candidates of a case and size.
+/// Differences found so far. A quantity is listed once, by its first difference.
 struct Comparison {
   void require_same(const std::string& what, const std::optional<std::string>& first,
                     const std::optional<std::string>& second) {

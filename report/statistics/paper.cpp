@@ -8,7 +8,7 @@
 namespace desmo::report {
 namespace {
 
-/// Returns the fields of a table, line by line: the first has the names of the columns.
+/// Returns the fields of a table, line by line. The first line has the names of the columns.
 std::vector<std::vector<std::string>> lines_of(std::string_view table) {
   std::vector<std::vector<std::string>> all;
   std::istringstream lines{std::string(embedded_file(table))};

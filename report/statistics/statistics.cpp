@@ -9,14 +9,15 @@
 namespace desmo::report {
 namespace {
 
-// Two-sided 95 % quantiles of Student's t for 1, 2, ... degrees of freedom. Boost.Math has them,
-// too: its header alone takes 7 s to compile.
+// Two-sided 95 % quantiles of Student's t for 1, 2, ... degrees of freedom. They are not taken from
+// Boost.Math, whose header alone takes 7 s to compile.
 constexpr std::array student_quantiles{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306,
                                        2.262,  2.228, 2.201, 2.179, 2.160, 2.145, 2.131, 2.120,
                                        2.110,  2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064,
                                        2.060,  2.056, 2.052, 2.048, 2.045, 2.042};
 
-// Beyond the table its last value serves: 4 % too wide at most.
+// Returns the quantile. With more degrees of freedom than the table has, it is the table's last,
+// which is at most 4.2 % too large.
 double student(std::size_t freedom) {
   return student_quantiles[std::min(freedom, student_quantiles.size()) - 1];
 }
@@ -35,8 +36,8 @@ double average(std::span<const double> values) {
   return sum(values) / static_cast<double>(values.size());
 }
 
-// Returns half the width of the 95 % interval of S = Σa / Σb over n pairs: t √(n/(n-1) Σ(a - S b)²)
-// / Σb.
+// Returns half the width of the 95 % interval of S = Σa / Σb for n pairs of windows (a, b), n ≥ 2:
+// t √(n/(n-1) Σ(a - S b)²) / Σb.
 double half_width_of_ratio(std::span<const double> a, std::span<const double> b) {
   const std::size_t n = a.size();
   const double ratio = sum(a) / sum(b), all = static_cast<double>(n);
@@ -46,7 +47,7 @@ double half_width_of_ratio(std::span<const double> a, std::span<const double> b)
 }
 
 struct WindowPoint {
-  double updates, seconds;  // an instant
+  double updates, seconds;  // number of updates, and time [s], per instant
 };
 
 std::vector<WindowPoint> points(const Windows& s, std::optional<std::size_t> left_out) {
@@ -60,13 +61,14 @@ std::vector<WindowPoint> points(const Windows& s, std::optional<std::size_t> lef
   return points;
 }
 
-// With fewer updates than a point it takes no longer, and with more so in proportion at most.
+// Returns the largest undisturbed time per instant that a point allows with that number of updates:
+// with fewer updates than the point has its time, with more that time in proportion.
 double bound(const WindowPoint& point, double updates) {
   return point.seconds * std::max(1.0, updates / point.updates);
 }
 
-// Returns the bound by two points on either side: no more than either, nor than the chord between
-// them.
+// Returns the bound by two points on either side: the least of their bounds and of the chord
+// between them.
 double bound(const WindowPoint& left, const WindowPoint& right, double updates) {
   const double of_one = std::min(bound(left, updates), bound(right, updates));
   const double width = right.updates - left.updates;
@@ -80,7 +82,7 @@ double bound(const WindowPoint& left, const WindowPoint& right, double updates) 
 double undisturbed(const Windows& s, std::optional<std::size_t> left_out) {
   const double instants = sum(s.instants), updates = sum(s.updates) / instants;
   const std::vector<WindowPoint> all = points(s, left_out);
-  // The envelope at a place is the lowest of all chords over it.
+  // The lower envelope at `updates` is the lowest of all chords that reach over it.
   double lowest = std::numeric_limits<double>::infinity();
   for (const WindowPoint& left : all)
     for (const WindowPoint& right : all)
@@ -166,7 +168,7 @@ std::optional<Slope> fit_slope(std::span<const double> sizes, std::span<const do
     xy += (x[i] - x_mean) * (y[i] - y_mean);
   }
   const double slope = xy / xx;
-  double squares = 0;  // of what the line leaves
+  double squares = 0;  // sum of the squares of residuals
   for (std::size_t i = 0; i < n; ++i)
     squares += std::pow(y[i] - y_mean - slope * (x[i] - x_mean), 2);
   const double freedom = static_cast<double>(n - 2);

@@ -7,7 +7,7 @@
 namespace desmo::report {
 namespace {
 
-/// Returns how far the two solutions of the reference differ at most.
+/// Returns the largest difference of the reference's two solutions, over all series and levels.
 double max_floor(const Record& record) {
   double largest = 0;
   for (const auto& [series, floor] : record.floors)
@@ -16,19 +16,20 @@ double max_floor(const Record& record) {
   return largest;
 }
 
-/// Returns the time of a step of a point; null: the mark of what is missing.
+/// Returns the time of a step of a point; for null missing_mark.
 Entry point_time_entry(const NamedPoint* point) {
   return point ? step_time_entry(point->second.time.seconds) : note_entry(missing_mark);
 }
 
-/// Returns a speed-up with its interval; null: the mark of what is missing.
+/// Returns a speed-up with its interval; for null missing_mark.
 Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant) {
   if (!reference || !variant) return note_entry(missing_mark);
   if (reference == variant) return reference_entry();
   return ratio_entry(speed_up(*reference, *variant));
 }
 
-/// The cheapest within an error, and what it is held against.
+/// The fastest point with position error ≤ accuracy, and two that it is compared with; null where
+/// there is none.
 struct Choice {
   Choice(const Points& points, double accuracy)
       : best(cheapest(points, accuracy)),
@@ -37,12 +38,12 @@ struct Choice {
         global(cheapest_of_paper(points, usual_reference, accuracy)) {}
 
   const NamedPoint *best,
-      *same,    ///< its formulation with the paper's settings
-      *global;  ///< the usual reference with them
+      *same,    ///< fastest point of the same formulation with the paper's settings
+      *global;  ///< fastest point of the usual reference with the paper's settings
 };
 
-/// Shows for each of the accuracies and each case the cheapest that solves every instant, and,
-/// where that costs less, the cheapest of all.
+/// Shows for each of the accuracies and each case the fastest point that solves every instant, and,
+/// where an interpolating one is faster, the fastest of all.
 Table accuracy_costs(const Record& record) {
   Table table = headed_table("accuracy_costs");
   for (const SeriesKey& series : drawn_series(record)) {
@@ -64,8 +65,8 @@ Table accuracy_costs(const Record& record) {
   return table;
 }
 
-constexpr double accuracy = 1e-9;
-constexpr std::array updates{"newton", "step", "chord"};  // the last in earlier records only
+constexpr double accuracy = 1e-9;  // limit of the position error in the table of guesses, ≤
+constexpr std::array updates{"newton", "step", "chord"};  // "chord" in earlier records only
 
 bool is_tried(const Points& points, std::string_view update) {
   return std::ranges::any_of(points, [&](const NamedPoint* point) {
@@ -73,7 +74,7 @@ bool is_tried(const Points& points, std::string_view update) {
   });
 }
 
-/// "tolerance 1e-6", "2 iterations", "usual tolerance": where steps stop.
+/// Returns words for where steps stop: "tolerance 1e-6", "2 iterations", "usual tolerance".
 std::string stop_of(const Configuration& c) {
   std::string text;
   if (!c.iterations.empty()) text = sentence("costs.iterations", {{"count", c.iterations}});
@@ -82,8 +83,9 @@ std::string stop_of(const Configuration& c) {
   return text.empty() ? sentence("costs.usual_stop") : text;
 }
 
-/// Adds the rows of a case: the usual formulation with each guess and update, over the same with
-/// the paper's settings and over these where they go no further than the accuracy asks.
+/// Adds the rows of a case: the usual reference with each guess and Jacobian update, and its
+/// speed-ups relative to two others: the same with all of the paper's settings, and the same with
+/// the paper's guess and update at the stop that is fastest within the accuracy.
 void add_case(Table& table, const SeriesKey& series, const Points& points) {
   const NamedPoint* paper = nullptr;
   for (const NamedPoint* point : points)
@@ -113,7 +115,7 @@ void add_case(Table& table, const SeriesKey& series, const Points& points) {
     add("previous", sentence("guesses_and_updates.per_level"), per_level);
 }
 
-/// Shows guesses × Jacobian updates of the usual formulation.
+/// Shows all pairs of guess and Jacobian update of the usual reference.
 Table guesses(const Record& record) {
   Table table = headed_table("guesses_and_updates",
                              {{"tolerance", write_shortest(record.settings.tolerance)}});
@@ -122,8 +124,8 @@ Table guesses(const Record& record) {
   return table;
 }
 
-/// Returns a section on what the tightest accuracy costs that both the best and the global
-/// formulation reach in the last case, and what the loosest would save.
+/// Returns the short section. For the last case it tells what the tightest accuracy costs that both
+/// the fastest formulation and the usual reference reach, and what the loosest would save.
 Section accuracy_front(const Record& record) {
   const SeriesKey series = drawn_series(record).back();
   const Points points = solving_every_instant(points_of(record, series));
@@ -149,7 +151,7 @@ Section accuracy_front(const Record& record) {
                                     {"microseconds", write_significant(1e6 * seconds, 3)},
                                     {"saved", write_fixed(100 * saved, 0)}})};
   }
-  section.numbers.erase(section.numbers.begin());  // the index shows the tightest
+  section.numbers.erase(section.numbers.begin());  // the index has the three tightest
   const Table costs = accuracy_costs(record);
   section.tables = {
       work_precision(record, series),
@@ -164,7 +166,7 @@ Section accuracy_front(const Record& record) {
 std::vector<Section> accuracy_sections(const Record& record) {
   Section others = headed_section("speed_for_accuracy");
   std::vector<SeriesKey> drawn = drawn_series(record);
-  drawn.pop_back();  // it stands in front
+  drawn.pop_back();  // the last one is in the short section
   for (const SeriesKey& series : drawn) others.tables.push_back(work_precision(record, series));
   return {accuracy_front(record), std::move(others),
           headed_section("costs", {}, {accuracy_costs(record)}),

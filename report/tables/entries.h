@@ -1,4 +1,4 @@
-// Numbers and measurements as places of a table, with what tables are written with.
+// Numbers and measurements as entries of a table.
 #pragma once
 
 #include <cstddef>
@@ -16,55 +16,61 @@
 
 namespace desmo::report {
 
-/// Adds a reservation about what the entry shows.
+/// Adds a reservation to an entry, in `shown` and in `note`.
 void add_note(Entry& entry, const std::string& note);
 
-/// Writes a number with significant digits, or the mark of what is missing.
+/// Returns the entry of a number with so many significant digits; missing_mark for none.
 Entry number_entry(const std::optional<double>& value, int significant);
 
 /// Returns "1.00 reference", for the candidate that all others are compared with.
 Entry reference_entry();
 
-/// The number next to a time: half the range of its samples, their range, or their median where
-/// that is another time.
+/// The numbers next to a time: half the range of its samples, the least and largest sample, or the
+/// median where that differs in the digits shown.
 enum class Spread { half_range, range, median };
 
-/// Writes a ratio, without interval: 1.24; of fewer than three repetitions one digit.
+/// Writes a ratio without its interval: 1.24; where it has no interval, with one significant digit.
 std::string ratio_text(const SpeedUp& ratio);
 
-/// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; "0.1122 (0.1102 – 0.1185)",
-/// {seconds, least, largest, repetitions}; "0.1122 (median 0.1185)", {seconds, median,
-/// repetitions}; "0.4" of fewer than three repetitions, an order of magnitude; or the mark.
+/// Returns the entry of a time, or its mark.
+/// - half_range: "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}
+/// - range: "0.1122 (0.1102 – 0.1185)", quantities {seconds, least, largest, repetitions}
+/// - median: "0.1122 (median 0.1185)", quantities {seconds, median, repetitions}
+/// Times of fewer than three repetitions have one digit and no spread: "0.4".
 Entry seconds_entry(const Measured& measured, Spread spread = Spread::half_range);
 
-/// Microseconds of an instant, of a whole analysis of the record's motion.
+/// Returns the entry of the time of an analysis divided by the record's number of instants [µs];
+/// missing_mark without a time. It has one digit with fewer than three repetitions.
 Entry instant_entry(const Record& record, const Measured& measured, int significant = 4);
 
-/// Adds the errors of position, velocity and acceleration to a row.
+/// Adds the entries of the errors of position, velocity and acceleration to a row.
 void add_errors(std::vector<Entry>& row, const Measurement& candidate);
 
-/// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, with inconclusive_mark where the interval is
-/// too wide; "1" of fewer than three repetitions; or the mark. with_percent: "1.24 [1.21, 1.27]
-/// (19.4 %)", and a quantity more; without the percentage for what is slower.
+/// Returns the entry of a speed-up, "1.24 [1.21, 1.27]", quantities {ratio, low, high}, or its
+/// mark. It has inconclusive_mark where the interval is too wide, and one digit and no interval
+/// with fewer than three repetitions: "1".
+/// - with_percent: "1.24 [1.21, 1.27] (19.4 %)", with one quantity more, which is missing where the
+///   variant is slower or there is no interval
 Entry ratio_entry(const SpeedUp& ratio, bool with_percent = false);
 Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent = false);
 
-/// Returns the time of a step [µs], measured twice: "12.34 – 12.41", quantities {microseconds,
-/// again}.
+/// Returns the entry of the least and the second least time of a step [µs], from samples [s]:
+/// "12.34 – 12.41", quantities {microseconds, again}. A single sample has one digit.
 Entry step_time_entry(const std::vector<double>& samples);
 
-/// "8.0e-10", quantities {error}; of nothing the mark.
+/// Returns the entry of an error, "8.0e-10", quantities {error}; missing_mark for none.
 Entry error_entry(const std::optional<double>& error);
 
-// ---- the few rows of a table that stand in front of an experiment ----
+// ---- excerpts of tables, for the short report ----
 
 /// Returns an excerpt of a table: its first 14 rows for which `keep` is true, in the columns of
-/// `head`, which a block of the texts defines.
+/// `head`. All of these must be columns of the table.
 Table excerpt(
     const Table& table, Table head,
     const std::function<bool(const std::vector<Entry>&)>& keep = [](const auto&) { return true; });
 
-/// Tells whether a row is of the case that stands last: the truck, where both cases were measured.
+/// Tells whether a row is of the case in the table's last row: the truck, where both cases were
+/// measured. The first column has the case.
 inline bool is_of_last_case(const Table& table, const std::vector<Entry>& row) {
   return row.front().shown == table.rows.back().front().shown;
 }

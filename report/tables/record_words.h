@@ -1,4 +1,4 @@
-// A record in words: its commit, its times, its repetitions and its motion.
+// Words for the commit, the times, the repetitions and the motion of a record.
 #pragma once
 
 #include <string>
@@ -8,26 +8,28 @@
 
 namespace desmo::report {
 
-/// Returns the commit, and whether there were changes that it does not have.
+/// Returns the commit, with a word where the tree had uncommitted changes.
 std::string commit_of(const Record& record);
 
-/// Returns what texts about the times of the paper's experiment say, followed by `more`:
+/// Returns the values of placeholders in texts about the times of the paper's experiment, followed
+/// by `more`:
 /// - time: "undisturbed time" where the record has timing windows, "median" where it has none
-/// - time_and_median: the same, "(and median)" where that is another time
-/// - definition: what an undisturbed time is; may be empty
-/// - cpu, date, duration [s]: of what was measured on, when, and of the motion
-/// - repetitions: "5 repetitions", "3 to 5 repetitions", of all candidates that were measured
-/// - the words of the block "intervals", which are empty in a first look
-/// - one_digit: how times without an interval are shown, where there are some besides others
+/// - time_and_median: the same, with "(and median)" where undisturbed times have intervals
+/// - definition: what an undisturbed time is; empty without timing windows
+/// - cpu, date, duration: name of the CPU, date of the record, duration of the motion [s]
+/// - repetitions: "5 repetitions", "3 to 5 repetitions", of all candidates by the CPU clock
+/// - the words of the block "intervals"; empty where all that was measured has fewer than three
+///   repetitions
+/// - one_digit: how times without an interval are shown; empty unless some have one and some do not
 TextValues timed_words(const Record& record, const TextValues& more = {});
 
-/// Words that tell our values from the paper's: "ours" and "paper" when both are times of the same
-/// motion, "ours, 2 s" and "paper, 30 s" when they are not.
+/// Words that tell our values from the paper's: "ours" and "paper" when both motions last equally
+/// long, "ours, 2 s" and "paper, 30 s" when they do not.
 struct Sources {
   std::string ours;
   std::string paper;
   std::string warning;        ///< why the times cannot be compared; empty when they can
-  std::string ratio_warning;  ///< warning at ratios of the two
+  std::string ratio_warning;  ///< why the ratios may differ; empty when `warning` is
 };
 
 Sources sources(const Record& record);

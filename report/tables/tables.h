@@ -1,5 +1,5 @@
-// The tables and sections of the report, one topic a .cpp: pure functions of the record and of the
-// paper's tables. Their words stand in text/texts.txt.
+// The tables and sections of the report, each topic in its own .cpp. They are pure functions of the
+// record and of the paper's tables; most of their words stand in text/texts.txt.
 #pragma once
 
 #include <string>
@@ -17,8 +17,9 @@ namespace desmo::report {
 
 // ---- paper ----
 
-/// Says the answer: three fixed sentences with numbers, the data of figure 6, and the best
-/// formulations. Puts no number into a sentence where fewer than three repetitions were measured.
+/// Returns the answer of the benchmark: fixed sentences with numbers, the data of figure 6, and the
+/// best formulations. The sentences have no measured ratio where a candidate of the case in front
+/// has fewer than three repetitions.
 Section answer(const Record& record);
 
 /// Shows tables 1 and 2 of the paper for each sparse family recorded.
@@ -33,62 +34,68 @@ Table figure_of_speed_ups(const Record& record);
 /// Shows what several threads gain over one, by the wall clock: a table for each case.
 Section threads(const Record& record);
 
-/// Shows what it costs to solve only what is asked: a table for each case and size.
+/// Shows what it costs to solve only what a request asks: a table for each case and size.
 Section requests(const Record& record);
 
-/// Shows what it costs to check a run: a step, and the start. No table where none was checked.
+/// Shows what checking a run costs, for each step and at the start. Times of fewer than three
+/// repetitions are left out.
 Section checks(const Record& record);
 
 /// Shows what peers take next to the formulations that start from the same guess: a table for each
 /// case.
 Section peers(const Record& record);
 
-/// Shows everything that was recorded of each case at each size, fastest first.
+/// Shows all candidates by the CPU clock, the fastest first: a table for each case and size. Those
+/// next to peers are left out.
 Section every_formulation(const Record& record);
 
-/// Shows where the time of a step goes.
+/// Shows how the time of a step divides into phases.
 Table time_split(const Record& record);
 
 // ---- accuracy ----
 
-/// Returns all of the accuracy experiment in sections, the front first. The record has points.
+/// Returns the sections of the accuracy experiment, the short one first. The record must have
+/// points at its own step.
 std::vector<Section> accuracy_sections(const Record& record);
 
-/// Returns the data of the work–precision figure of a motion: every configuration solved or failed,
-/// fastest first.
+/// Returns the data of the work–precision figure of a motion, fastest first: of the configurations
+/// solved those that the figure draws, and all that failed.
 Table work_precision(const Record& record, const SeriesKey& series);
 
-/// Shows table 2 with other steps, tolerances and guesses.
+/// Shows the paper's speed-ups with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);
 
 // ---- size, modelling, instructions, extremes ----
 
-/// Returns all about time against size, the front first. The record has sizes.
+/// Returns the sections of time against size, the short one first. `growth` or `break_even` of the
+/// record must not be empty.
 std::vector<Section> size_sections(const Record& record);
 
-/// Shows the paper's comparison in each kind of coordinates, the front first. The record has
-/// `modelled`.
+/// Returns the sections of the paper's comparison in each kind of coordinates, the short one first.
+/// `modelled` of the record must not be empty.
 std::vector<Section> modelling_sections(const Record& record);
 
-/// Shows instructions of a step, and how many times those of the usual reference, the front first.
-/// The record has `instructions`.
+/// Returns the sections of instructions of a step, and of their ratio to the usual reference's, the
+/// short one first. `instructions` of the record must not be empty.
 std::vector<Section> instructions_sections(const Record& record);
 
-/// Shows which formulation does what where most go wrong, the front first. The record has extremes.
+/// Returns the sections of what formulations do in extreme cases, the short one first. `extremes`
+/// of the record must not be empty.
 std::vector<Section> extremes_sections(const Record& record);
 
 // ---- about other commits, and about the record ----
 
-/// Draws the history of instructions a step, and lists the commits in which a candidate moved.
+/// Shows the history of instructions of a step, and lists the commits in which a candidate's count
+/// changed by more than 2 %.
 Section history_section(const History& history);
 
-/// Shows when, on what and how it was measured.
+/// Shows the head of the record: when, on which machine, and how it was measured.
 Table provenance(const Record& record);
 
-/// Says what must not be concluded from the record.
+/// Returns the section of what must not be concluded from the record.
 Section limitations(const Record& record);
 
-/// Returns a line for every candidate, request or peer that failed its verification.
+/// Returns a line for every candidate, request or peer that failed, with the reason.
 std::vector<std::string> failures(const Record& record);
 
 }  // namespace desmo::report

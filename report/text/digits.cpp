@@ -18,7 +18,7 @@ std::string characters(double value, std::chars_format format, int decimals) {
 
 DigitStyle significant_digits(double value, int significant) {
   if (value == 0) return {false, significant - 1};
-  // The exponent after rounding: 9.9996 shown with four digits is 10.00.
+  // The exponent is taken after rounding: 9.9996 with four digits is 10.00.
   const std::string rounded = characters(value, std::chars_format::scientific, significant - 1);
   const int exponent = std::stoi(rounded.substr(rounded.find('e') + 1));
   if (exponent < -6 || exponent > 6) return {true, significant - 1};

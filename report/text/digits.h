@@ -1,4 +1,5 @@
-// Rounding to what is shown, once: every format prints these characters.
+// Rounding of numbers to the digits that are shown. It is done once; every format prints these
+// characters.
 #pragma once
 
 #include <optional>
@@ -7,32 +8,34 @@
 
 namespace desmo::report {
 
-/// The form of a number: chosen for one value and kept for what stands next to it (its spread).
+/// The form of a number. It is chosen for one value and used for its spread, too.
 struct DigitStyle {
-  bool scientific = false;
-  int decimals = 0;
+  bool scientific = false;  ///< with an exponent
+  int decimals = 0;         ///< number of digits after the point
 };
 
-/// Returns the form in which `value` shows `significant` digits: 7.100, 0.6070, 0.0008123;
-/// scientific outside 1e-6 ... 1e7.
+/// Returns the form in which `value` shows `significant` digits: 7.100, 0.6070, 0.0008123. It is
+/// scientific where the rounded magnitude is below 1e-6, unless it is 0, or 1e7 and more.
 DigitStyle significant_digits(double value, int significant);
 
-/// Speed-ups: two decimals between 0.1 and 100, three significant digits elsewhere.
+/// Returns the form of a speed-up: two decimals where 0.1 ≤ value < 100, else three significant
+/// digits.
 DigitStyle ratio_digits(double value);
 
-/// Returns a value's order of magnitude, one significant digit: 30, 0.8, 0.004.
+/// Writes a value with one significant digit, its order of magnitude: 30, 0.8, 0.004.
 std::string write_order(double value);
 
-/// Locale-independent decimal digits, valid as a JSON number; never "-0". The value is finite.
+/// Writes a finite value in decimal digits, which are a JSON number in every locale, and never
+/// "-0".
 std::string write(double value, DigitStyle style);
 
-/// Returns the fewest digits that tell the value from every other: for settings, 0.01 and 1e-10.
+/// Writes the fewest digits that tell the value from every other double: 0.01, 1e-10.
 std::string write_shortest(double value);
 
-/// Returns the number that a text is, all of it; nothing when it is none.
+/// Reads a whole text as a number; returns nothing when it is none.
 std::optional<double> read_number(std::string_view text);
 
-/// Returns a change [%] to the tenth with its sign; rounded to nothing, it has none.
+/// Writes a change [%] to the tenth with its sign; a change that rounds to 0.0 has none.
 std::string write_change(double percent);
 
 /// Returns digits as JSON writes them: without a plus sign.

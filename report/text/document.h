@@ -1,4 +1,4 @@
-// The report's content, before it takes the form of a format: sections of paragraphs and tables.
+// The content of the report without any format: sections of paragraphs and tables.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,24 @@ inline constexpr const char* inconclusive_mark = "inconclusive";
 inline constexpr const char* missing_mark = "—";
 inline constexpr const char* failed_mark = "FAILED";
 inline constexpr const char* not_run_mark = "not run";
-inline constexpr const char* inside_mark = "in";  ///< the paper's value, of our interval
-inline constexpr const char* outside_mark = "out";
+inline constexpr const char* inside_mark = "in";    ///< the paper's value is inside our interval
+inline constexpr const char* outside_mark = "out";  ///< the paper's value is outside of it
 
-/// A place in a table. `shown` is composed of `digits` and `note` and nothing else, so that a
-/// reader of the Markdown and a program reading the JSON see the same numbers.
+/// An entry of a table: a text, or numbers with a note. The numbers in `shown` are those of
+/// `digits`, so that Markdown and JSON have the same.
 struct Entry {
-  // A text alone, as rows are mostly written.
+  // A text alone.
   Entry(std::string text) : shown(std::move(text)) {}  // NOLINT
   Entry(const char* text) : shown(text) {}             // NOLINT
-  // A whole number, in full: a size, or how many things there are.
+  // A whole number with all its digits, such as a size or a count.
   Entry(std::int64_t number) : shown(std::to_string(number)), digits{shown} {}  // NOLINT
   Entry(std::string text, std::vector<std::string> numbers, std::string reservation)
       : shown(std::move(text)), digits(std::move(numbers)), note(std::move(reservation)) {}
 
-  std::string shown;                ///< terminal, Markdown
-  std::vector<std::string> digits;  ///< one per Column::quantities, "" where there is none
-  std::string note;  ///< in place of a number (failed_mark ...) or a reservation about it
+  std::string shown;  ///< text for people: all of the entry
+  /// Numbers in the order of Column::quantities; "" or left out at the end: there is none.
+  std::vector<std::string> digits;
+  std::string note;  ///< text in place of a number (failed_mark ...), or a reservation about it
 
   bool has_number() const {
     for (const std::string& number : digits)
@@ -39,22 +40,24 @@ struct Entry {
   }
 };
 
-/// Shows digits in a form: each "{}" is the next of them that is not empty; then the note.
-/// composed("{} [{}, {}]", {"1.2", "1.0", "1.4"}) is "1.2 [1.0, 1.4]"
+/// Returns the entry that shows digits in a form, then the note. Each "{}" of the form stands for
+/// the next of the digits that are not empty: composed("{} [{}, {}]", {"1.2", "1.0", "1.4"}) shows
+/// "1.2 [1.0, 1.4]".
 Entry composed(std::string_view form, std::vector<std::string> digits, std::string note = {});
 
-/// Shows digits, the only quantity.
+/// Returns the entry of one number.
 inline Entry digits_entry(std::string digits) { return composed("{}", {std::move(digits)}); }
 
 inline Entry note_entry(std::string note) { return {note, {}, note}; }
 
 struct Column {
   std::string name;                     ///< unique in its table
-  std::vector<std::string> quantities;  ///< names of what an entry's digits mean; none: text
+  std::vector<std::string> quantities;  ///< names of the quantities in Entry::digits; none: texts
 };
 
 struct Table {
-  /// Tells whether a figure of the table would have a mark: a number or a verdict of `drawn`.
+  /// Tells whether a figure of the table would have a mark: an entry with numbers, or a verdict, in
+  /// the column `drawn`, that is not the reference.
   bool has_marks() const;
 
   std::string name = {};   ///< lower case, unique in the document: the name of the CSV file
@@ -62,21 +65,21 @@ struct Table {
   std::vector<std::string> notes = {};
   std::vector<Column> columns = {};
   std::vector<std::vector<Entry>> rows = {};  ///< one entry per column
-  bool detail = false;      ///< left out on the terminal, which says so; folded on the page
-  std::string figure = {};  ///< the design of the figure `name` drawn from it, above it on the page
-  std::string drawn = {};   ///< the column whose entries are the figure's marks; empty: all numbers
-  std::string caption = {};                                ///< of the figure: one sentence
-  std::vector<std::pair<std::string, double>> lines = {};  ///< of the figure: names and values
+  bool detail = false;       ///< left out on the terminal, which names it; folded on the page
+  std::string figure = {};   ///< design of the figure drawn from the table; empty: no figure
+  std::string drawn = {};    ///< column whose entries are the figure's marks; empty: all numbers
+  std::string caption = {};  ///< caption of the figure: one sentence
+  std::vector<std::pair<std::string, double>> lines = {};  ///< lines of the figure: names, values
 };
 
 struct Section {
   std::string title = {};
-  std::vector<std::string> paragraphs = {};  ///< what was found: shown first
+  std::vector<std::string> paragraphs = {};  ///< results in words, shown before the tables
   std::vector<Table> tables = {};
-  std::string chapter = {};  ///< the experiment it belongs to; empty: no heading of its own
-  bool front = false;        ///< it is shown on the terminal, and first on the page
-  std::vector<std::string> definitions = {};  ///< of words and methods: on the page folded, last
-  std::vector<std::string> numbers = {};  ///< what the site's index says of it: three, each named
+  std::string chapter = {};  ///< heading above it on the page, its experiment; empty: none
+  bool front = false;  ///< it is part of the short report that a run prints, and open on the page
+  std::vector<std::string> definitions = {};  ///< meanings of words and methods; folded on the page
+  std::vector<std::string> numbers = {};  ///< lines in the site's index: at most three, each named
 };
 
 struct Document {
@@ -89,7 +92,8 @@ struct Document {
   std::string home = {};  ///< address of the site's index; empty: the page stands alone
 };
 
-/// Returns the tables of all sections of a document, which it refers to, in their order.
+/// Returns the tables of all sections of a document, in their order. The document must outlive the
+/// result.
 inline auto tables_of(auto& document) {
   return document.sections | std::views::transform(&Section::tables) | std::views::join;
 }

@@ -11,7 +11,7 @@
 namespace desmo::report {
 namespace {
 
-using TextLines = std::vector<std::pair<std::string, std::string>>;  // word and text, in order
+using TextLines = std::vector<std::pair<std::string, std::string>>;  // words of a block, and texts
 using TextBlocks = std::map<std::string, TextLines, std::less<>>;
 
 TextBlocks parse_texts(std::string_view file) {

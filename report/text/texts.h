@@ -1,5 +1,5 @@
 // The words of the report, from text/texts.txt: sentences with placeholders, and the heads of
-// tables and sections. No other file composes a sentence.
+// tables and sections.
 #pragma once
 
 #include <concepts>
@@ -23,18 +23,21 @@ struct TextValue {
 
 using TextValues = std::vector<TextValue>;
 
-/// Returns words in a row: "15, 25 and 66".
+/// Returns words as a list in a sentence: "15, 25 and 66".
 std::string in_a_row(const std::vector<std::string>& words);
 
-// All throw std::logic_error when the file has no such text, or a placeholder no value.
+// The functions below throw std::logic_error when the file has no such text, or a placeholder has
+// no value.
 
 /// Returns the sentence "block.word" with its placeholders filled.
 std::string sentence(std::string_view name, const TextValues& values = {});
 
-/// Returns a table without rows: name, title, notes (but for empty ones) and columns of a block.
+/// Returns a table without rows that has the name, title, notes that are not empty, caption,
+/// columns, figure and detail of a block.
 Table headed_table(std::string_view block, const TextValues& values = {});
 
-/// Returns a section of tables: title, paragraphs, definitions and numbers of a block.
+/// Returns a section that has the tables, and the title, paragraphs, definitions and numbers of a
+/// block.
 Section headed_section(std::string_view block, const TextValues& values = {},
                        std::vector<Table> tables = {});
 
