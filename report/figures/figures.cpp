@@ -13,7 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Adds the numbers of an entry, none other than those printed; of a missing one null.
+/// Adds the numbers of an entry to a datum, with the digits that are printed. A missing first
+/// quantity is null; other missing ones are left out.
 void add_numbers(Json& datum, const Column& column, const Entry& entry, bool is_folded) {
   for (std::size_t i = 0; i < column.quantities.size(); ++i) {
     const bool known = i < entry.digits.size() && !entry.digits[i].empty();
@@ -57,7 +58,8 @@ std::set<std::string> values_of(const Json& data, const std::string& field) {
   return values;
 }
 
-/// Leaves in a scale the names of a domain that were measured, each with its place of the range.
+/// Leaves in a scale the names of its domain that were measured, each with its element of the
+/// range. Adds measured names that are not in the domain.
 void keep_measured(Json& scale, const std::string& channel, std::set<std::string> measured) {
   Json names = Json::array(), range = Json::array();
   for (std::size_t i = 0; i < scale["domain"].size(); ++i)
@@ -75,9 +77,10 @@ void keep_measured(Json& scale, const std::string& channel, std::set<std::string
   scale["range"] = std::move(range);
 }
 
-/// Does so in all scales below a node of a specification; gives the names of the first. A scale
-/// with a named range takes all names there are; one of what the design computes stays as it is.
-/// domains: those of the design by field, which a field's first scale states for all of them.
+/// Does so in all scales with a range below a node of a specification. A scale with a named range
+/// takes all measured names as its domain. A scale of a field without data stays as it is.
+/// - domains: domains of the design by field; a field's first scale states that of the others
+/// - shown: becomes the domain of the first scale, if it is null
 void keep_measured(Json& node, const Json& data, std::map<std::string, Json>& domains,
                    Json& shown) {
   for (auto& [channel, child] : node.items()) {

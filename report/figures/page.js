@@ -1,12 +1,12 @@
-// In the reader's browser: the figures that stand on the page as drawings begin to answer. Hovering
-// shows the values as the tables print them; the legend, and the boxes below it for those who do
-// not point, choose what is shown. Where this does not run, the drawings stay.
+// Runs in the browser and replaces the drawings on the page by interactive figures. Hovering shows
+// the values as the tables print them. Clicks on the legend, and check boxes below the figure,
+// choose what is shown. Where this program does not run, the drawings stay.
 'use strict';
 
-const narrow = 560;  // px; below, panels stand under each other
-const letter = 6.5;  // px; of labels
+const narrow = 560;  // width of a figure below which panels stand under each other [px]
+const letter = 6.5;  // mean width of a character of a label [px]
 
-// What the hover shows: the titles and texts of a tooltip of the specification.
+// Element that shows the titles and texts of a tooltip while a mark is hovered.
 const hint = document.createElement('div');
 hint.className = 'hint';
 hint.setAttribute('role', 'status');
@@ -28,10 +28,11 @@ function showHint(handler, event, item, value) {
   hint.style.top = `${window.scrollY + point.clientY + 14}px`;
 }
 
-// What is fitted to the reader's window; the specification is the static drawing's.
+// Returns the specification of the drawing, changed to fit a figure of that width [px].
 function fitted(spec, width) {
   const names = spec.signals.find(signal => signal.name === 'shown').value;
-  const line = letter * Math.max(...names.map(name => name.length)) + 40;  // px, of the legend
+  // Width of a line of the legend [px].
+  const line = letter * Math.max(...names.map(name => name.length)) + 40;
   for (const legend of spec.legends ?? []) {
     legend.encode ??= {};
     for (const part of ['symbols', 'labels']) {
@@ -49,7 +50,8 @@ function fitted(spec, width) {
   return spec;
 }
 
-// Makes the plots as wide as the column leaves them: what stands around them keeps its size.
+// Widens or narrows the plots, in up to three passes, so that the drawing has that width [px]. Axes
+// and legends keep theirs.
 async function widen(view, spec, container, width) {
   const name = spec.signals.some(signal => signal.name === 'child_width') ? 'child_width' : 'width';
   for (let pass = 0; pass < 3; ++pass) {
@@ -71,7 +73,8 @@ function box(name, changed) {
   return label;
 }
 
-// One box for each line of the legend, and clicks on the legend: both set the parameter `shown`.
+// Adds a check box for each line of the legend, and listens to clicks on the legend. Both set the
+// signal `shown`.
 function addToggles(figure, drawing, view) {
   const names = view.signal('shown');
   const toggles = document.createElement('fieldset');
@@ -106,14 +109,14 @@ async function bring(figure) {
   figure.dataset.state = 'live';
 }
 
-// A figure in a closed section has no width: it begins to answer when the section is opened.
+// Makes a figure interactive. In a closed section it has no width, and waits until that is opened.
 function bringWhenSeen(figure) {
   const closed = figure.parentElement.closest('details:not([open])');
   if (closed) closed.addEventListener('toggle', () => bringWhenSeen(figure), {once: true});
   else bring(figure);
 }
 
-// On paper everything is open.
+// Opens all sections for printing; afterwards closes those that were closed.
 let closedBefore = [];
 window.addEventListener('beforeprint', () => {
   closedBefore = [...document.querySelectorAll('details:not([open])')];

@@ -1,13 +1,13 @@
-// Puts figures into the page that desmo_report wrote: each as a drawing, its compiled specification
-// beside it, and at the end the one program that makes them answer. Filling a filled page gives the
-// same page.
+// Puts figures into the page that desmo_report wrote: each as a drawing with its compiled
+// specification, and at the end of the page the program that makes them interactive. Filling a
+// filled page gives the same page.
 import {readFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
 
-// Vega for the browser, under its licence.
+// Returns the code of Vega for the browser, with its licence.
 function runtime() {
   const folder = join(here, 'node_modules', 'vega');
   const {version} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
@@ -17,7 +17,7 @@ function runtime() {
   return `/*! Vega ${version}\n${licence} */\n${code}`;
 }
 
-// Nothing in a script may look like its end, or like a comment of the page.
+// Returns a script element. Throws when its code has the end of a script or a comment of the page.
 function script(attributes, code) {
   if (/<\/script|<!--/i.test(code)) throw new Error('a script would end in its middle');
   return `<script${attributes}>\n${code}\n</script>`;
@@ -27,7 +27,7 @@ function json(value) {
   return JSON.stringify(value).replaceAll('<', '\\u003c');
 }
 
-// Replaces what stands between the comments of a name.
+// Returns the page with `content` between the two comments of a name.
 function between(page, name, content) {
   const begin = `<!-- ${name} -->`, end = `<!-- end of ${name} -->`;
   const from = page.indexOf(begin), to = page.indexOf(end);

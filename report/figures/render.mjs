@@ -1,6 +1,6 @@
-// Renders Vega-Lite specifications: node render.mjs FOLDER writes name.svg for every name.vl.json in
-// it and puts the figures into FOLDER/report.html, when that is there. No canvas, no fonts, no
-// clock: the same specification gives the same bytes.
+// Renders Vega-Lite specifications: node render.mjs FOLDER writes name.svg for every name.vl.json
+// in it and puts the figures into FOLDER/report.html, when that is there. No canvas, fonts or clock
+// is used: the same specification gives the same bytes.
 import {existsSync, readFileSync, readdirSync, renameSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import * as vega from 'vega';
@@ -16,7 +16,8 @@ async function svg(specification) {
   return drawing + '\n';
 }
 
-// On the page, title and subtitle are text beside the figure, and the page is its background.
+// Returns a figure for the page: without title and subtitle, which the page has as text, and with a
+// transparent background.
 async function figure(name, {title, ...design}) {
   const specification =
       compile({...design, config: {...design.config, background: 'transparent'}}).spec;

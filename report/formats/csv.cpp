@@ -1,4 +1,4 @@
-// CSV, for spreadsheets and programs: nothing in it but a heading and the rows of one table.
+// CSV, for spreadsheets and programs: a heading and the rows of one table, and nothing else.
 #include "report/formats/formats.h"
 #include "report/text/digits.h"
 
@@ -10,7 +10,8 @@ std::string field(const std::string& text) {
   return "\"" + escaped(text, {{'"', "\"\""}}) + "\"";
 }
 
-/// Returns a text that no spreadsheet takes for a formula: an apostrophe before what would be one.
+/// Returns a text that no spreadsheet takes for a formula: one that would be begins with an
+/// apostrophe.
 std::string text_field(const std::string& text) {
   const bool begins_one = text.find_first_of("=+-@\t\r") == 0;
   return begins_one && !read_number(text) ? "'" + text : text;

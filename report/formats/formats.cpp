@@ -13,10 +13,10 @@ std::string markdown_text(const std::string& text) {
 }
 
 constexpr std::size_t max_unbroken =
-    40;  // characters that an entry may have without a place to break
+    40;  // number of characters without a blank at which an entry is left unbroken, ≤
 
-/// Returns the text of an entry. Where it has a word that is too long, an id with many settings, a
-/// line ends before each of them: no column may be wider than a page.
+/// Returns the text of an entry. Where it has too long a word, such as an id with many settings, a
+/// line ends before each "/", so that no column is wider than a page.
 std::string markdown_entry(const std::string& text) {
   std::string entry = markdown_text(text);
   std::size_t word = 0, longest = 0;
@@ -65,7 +65,7 @@ std::string escaped(std::string_view text, const std::map<char, std::string>& es
   return result;
 }
 
-// Continuation bytes take no room.
+// Counts all bytes except for continuation bytes.
 std::size_t characters(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
@@ -96,7 +96,7 @@ std::vector<NewFile> render(const Document& document, const std::string& format)
 
 namespace {
 
-/// Puts the name of each table into a column in front, where there are several.
+/// Returns a document whose tables have their names in a first column, where there are several.
 Document with_names_in_rows(Document document) {
   if (std::ranges::distance(tables_of(document)) < 2) return document;
   for (Table& table : tables_of(document)) {

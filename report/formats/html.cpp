@@ -1,15 +1,16 @@
-// The page: one file that asks the network for nothing. Where a figure goes stands between two
-// comments, which report/figures/render fills; until then a sentence there names what is missing.
+// The page: one file that asks the network for nothing. The place of a figure is between two
+// comments, where a sentence says that it is missing; report/figures/render puts the figure there.
 #include "report/formats/formats.h"
 #include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {
 
-// A row with more characters has its intervals below the numbers.
+// Largest row_width() of a table with intervals next to the numbers; in wider tables they are
+// below.
 constexpr std::size_t max_row_width = 122;
 
-// Replaces each {name} of a page's frame, once.
+// Replaces the first {name} in a page's frame for each of the values, in their order.
 std::string filled(std::string_view frame,
                    const std::vector<std::pair<std::string, std::string>>& values) {
   std::string page(frame);
@@ -28,7 +29,7 @@ std::string element(const std::string& name, const std::string& content) {
   return "<" + name + ">" + content + "</" + name.substr(0, name.find(' ')) + ">";
 }
 
-// A verdict or what stands in place of a number, so that the style can tell them apart.
+// Returns a note in an element whose class tells the style what it is.
 std::string note_html(const std::string& note) {
   const std::string kind = note == inside_mark    ? "in"
                            : note == outside_mark ? "out"
@@ -37,7 +38,8 @@ std::string note_html(const std::string& note) {
   return element("span class=\"" + kind + "\"", html_text(note));
 }
 
-// An id breaks after "_" and "/", and nowhere else.
+// Returns a text that may break after "_" and "/". An id, which has "_" and no blank, breaks
+// nowhere else.
 std::string breakable(const std::string& text) {
   std::string result;
   for (const char c : html_text(text)) {
@@ -48,7 +50,8 @@ std::string breakable(const std::string& text) {
   return is_id ? element("span class=\"id\"", result) : result;
 }
 
-// The number foremost, its interval and its note after it: the characters of Entry::shown.
+// Returns the characters of Entry::shown, in elements: the first number, its interval or the rest,
+// and the note.
 std::string entry_html(const Entry& entry) {
   if (!entry.note.empty() && entry.shown == entry.note) return note_html(entry.note);
   if (!entry.has_number() || entry.digits.front().empty() ||
@@ -75,7 +78,8 @@ std::string header_html(const Table& table) {
   return "<thead><tr>" + text + "</tr></thead>\n";
 }
 
-// The first entry names the row; rows with the same name stand together.
+// Returns the rows. The first entry is the heading of its row; rows after one with the same first
+// entry are marked as "again".
 std::string rows_html(const Table& table) {
   std::string text;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -92,7 +96,7 @@ std::string rows_html(const Table& table) {
   return "<tbody>\n" + text + "</tbody>\n";
 }
 
-// A wide table scrolls inside its own frame, by keyboard too.
+// Returns a table in a frame of its own, in which a wide one scrolls, by keyboard too.
 std::string table_html(const Table& table) {
   const std::string caption = table.name + "-caption";
   return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + caption +
@@ -112,7 +116,7 @@ std::string notes_html(const Table& table) {
   return text.empty() ? "" : element("p class=\"notes\"", text) + "\n";
 }
 
-// One sentence above the figure; what else there is to say stands with its data.
+// Returns a figure with its title and caption above it, and its notes and data folded below it.
 std::string figure_html(const Table& table) {
   const std::string& name = table.name;
   return "<figure id=\"" + name + "\">\n<figcaption>" +
@@ -145,7 +149,7 @@ std::string definitions_html(const Section& section) {
                 paragraphs_html(section.definitions, false));
 }
 
-// Open, with everything that it has on the first screen: words and tables next to the figures.
+// Returns the section in front, which is not folded: its words, figures, then tables.
 std::string front_html(const Section& section, const std::string& id) {
   std::string figures, tables;
   for (const Table& table : section.tables)
@@ -157,7 +161,8 @@ std::string front_html(const Section& section, const std::string& id) {
          "<div class=\"more\">\n" + tables + definitions_html(section) + "</div>\n</section>\n";
 }
 
-// Folded, under its title. Paragraphs alone are a list: limitations, failures.
+// Returns a section folded under its title, open where it is in front. Two or more paragraphs
+// without tables are a list: limitations, failures.
 std::string section_html(const Section& section, const std::string& id) {
   std::string tables;
   for (const Table& table : section.tables) tables += block_html(table);

@@ -1,4 +1,4 @@
-// JSON, for programs: the whole report, its numbers as numbers.
+// JSON, for programs: the whole report, with numbers as JSON numbers.
 #include <nlohmann/json.hpp>
 
 #include "report/formats/formats.h"

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
-// Divides a text into pieces that stay on one line: words, and parts of an id up to "/"; an
-// interval is a word.
+// Divides a text into pieces that stay on one line: words with the blank after them, and parts of
+// ids up to "/". An interval in brackets is not divided.
 std::vector<std::string> pieces(const std::string& text) {
   std::vector<std::string> result{""};
   bool inside = false;
@@ -33,7 +33,7 @@ std::size_t min_width(const std::string& text) {
   return longest;
 }
 
-// An entry in lines of at most `width` characters, as far as its pieces allow.
+// Returns a text in lines of at most `width` characters, as far as its pieces allow.
 std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
   std::vector<std::string> lines{""};
   for (const std::string& piece : pieces(text)) {
@@ -48,7 +48,8 @@ std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
   return lines;
 }
 
-// A text in lines of at most line_width characters, each after `indent`.
+// Returns a text in lines that begin with `indent` and have at most line_width characters, as far
+// as its pieces allow.
 std::string wrapped(const std::string& text, const std::string& indent) {
   std::string result;
   for (const std::string& line : lines_of(text, line_width - indent.size()))
@@ -56,7 +57,8 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return result;
 }
 
-// Returns widths of columns with which a row fits into a line; wider where pieces are wider.
+// Returns widths of columns with which a row fits into a line. A row is longer where the longest
+// pieces of its columns are too long together.
 std::vector<std::size_t> column_widths(const Table& table) {
   std::vector<std::size_t> widths, least;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -115,7 +117,8 @@ std::string underlined(const std::string& title, char line) {
   return title + "\n" + std::string(characters(title), line) + "\n";
 }
 
-/// Writes words, with `space` before each paragraph, and tables; names what it leaves out.
+/// Returns the words of a section, with `space` before each paragraph, and its tables. Adds the
+/// names of tables that are details, which it leaves out, to left_out.
 std::string terminal_section(const Section& section, const char* space, std::string& left_out) {
   std::string text;
   for (const auto* paragraphs : {&section.paragraphs, &section.definitions})

@@ -1,5 +1,6 @@
-// The front of the report: what the paper found, what this record says of it, what gains: the best
-// formulations of one thread, held against the global reference like for like.
+// The answer of the benchmark: what the paper found, what this record says of it, and the best
+// formulations of one thread, compared with the fastest global reference with the same guess and
+// tolerance (like for like).
 #include <algorithm>
 #include <array>
 
@@ -11,8 +12,8 @@
 namespace desmo::report {
 namespace {
 
-/// Tells whether a formulation has the paper's algorithm with lanes, with segments, or with neither
-/// (""), and with no other setting but of its iteration.
+/// Tells whether a formulation has, apart from settings of its iteration, the one setting `kind`,
+/// "lanes" or "segments"; for "" none.
 bool is_side_by_side(const Configuration& c, std::string_view kind) {
   if (kind.empty()) return c.has_papers_algorithm();
   return c.others.size() == 1 && c.others.front().starts_with(std::string(kind) + ":");
@@ -22,8 +23,9 @@ bool has_other_iteration(const std::optional<Configuration>& c) {
   return c && c->has_papers_algorithm() && !c->is_papers();
 }
 
-/// Returns the case that stands last, the truck, where both cases were measured: at its largest
-/// size with an iteration that is not the paper's, or its largest of all. Empty: there is none.
+/// Returns the last case, which is the truck where both cases were measured. Its size is the
+/// largest at which other settings of the iteration than the paper's were measured, or else its
+/// largest. Returns an empty name where there is no candidate.
 CaseSize in_front(const Record& record) {
   if (record.candidates.empty()) return {};
   const CaseSize& last = record.candidates.rbegin()->first;
@@ -43,7 +45,8 @@ std::optional<CandidateKey> best_reference(const Record& record) {
   return fastest(record, in_front(record), is_reference);
 }
 
-/// Finds the fastest by groups or blocks with the guess and the tolerance of a configuration.
+/// Finds the fastest formulation by groups or blocks with the guess, iterations and tolerance of a
+/// configuration. side_by_side: is_side_by_side().
 std::optional<CandidateKey> generated_like(const Record& record, const Configuration& like,
                                            std::string_view side_by_side) {
   return fastest(record, in_front(record), [&](const Configuration& c) {
@@ -69,21 +72,23 @@ TextValues words_of(const Record& record) {
   return timed_words(record, {{"case", place.case_name}, {"coordinates", place.coordinates}});
 }
 
-/// Finds the fastest formulation by groups or blocks with the guess and the tolerance of the
-/// fastest global reference. side_by_side: "lanes", "segments", or "" for neither.
+/// Finds the fastest formulation by groups or blocks with the guess, iterations and tolerance of
+/// the fastest global reference. side_by_side: "lanes", "segments", or "" for neither.
 std::optional<CandidateKey> best_generated(const Record& record, std::string_view side_by_side) {
   const std::optional<CandidateKey> reference = best_reference(record);
   if (!reference) return std::nullopt;
   return generated_like(record, *parse_configuration(reference->id), side_by_side);
 }
 
-/// Returns the speed-up over the reference with the same guess and tolerance; nothing of nothing.
+/// Returns the speed-up of a candidate relative to reference_like() it; nothing where one of the
+/// two is missing.
 std::optional<SpeedUp> like_for_like(const Record& record, const std::optional<CandidateKey>& key) {
   if (!key) return std::nullopt;
   return measured_speed_up(record, reference_like(record, *key), *key).speed_up;
 }
 
-/// Lists the references and the best formulations with the paper's settings and with the best.
+/// Lists the global reference and the best formulations, with the paper's settings and with the
+/// best ones.
 Table best_formulations(const Record& record) {
   Table table = headed_table("best", words_of(record));
   const std::optional<CandidateKey> paper = papers_reference(record), best = best_reference(record);
@@ -95,7 +100,7 @@ Table best_formulations(const Record& record) {
     add_row(table, record, "the same, in lanes", best_generated(record, "lanes"));
     add_row(table, record, "the same, in segments", best_generated(record, "segments"));
   }
-  if (!paper) {  // the last column has nothing to divide by
+  if (!paper) {  // the ratios of the last column have no reference
     table.columns.pop_back();
     for (auto& row : table.rows) row.pop_back();
   }
@@ -106,7 +111,8 @@ constexpr const PaperVariant& papers_best = paper_variants.back();  // TS-TPS_LA
 
 std::string two_digits(double value) { return write(value, significant_digits(value, 2)); }
 
-/// The mean speed-up of the paper's best variant with one sparse solver, over all its sizes.
+/// The mean speed-up of the paper's best variant with one sparse solver, over all of the paper's
+/// sizes.
 struct Mean {
   std::string_view family;
   SpeedUp speed_up;
@@ -122,7 +128,7 @@ std::vector<Mean> complete_means(const Record& record) {
   return means;
 }
 
-/// "cholmod 0.61, umfpack 2.3, klu 0.15"
+/// Returns mean speed-ups in words: "cholmod 0.61, umfpack 2.3, klu 0.15".
 std::string list(const std::vector<Mean>& means) {
   std::string text;
   for (const auto& [family, speed_up] : means)
@@ -131,8 +137,8 @@ std::string list(const std::vector<Mean>& means) {
   return text.empty() ? sentence("answer.not_measured") : text;
 }
 
-/// Tells whether solvers differ by a factor of 1.5 or more and generated code is faster, like for
-/// like.
+/// Tells whether the means of different sparse solvers differ by a factor of 1.5 or more, and the
+/// best formulation by groups or blocks is faster than its reference, like for like.
 bool shows_the_finding(const Record& record) {
   const std::vector<Mean> means = complete_means(record);
   const auto value = [](const Mean& mean) { return mean.speed_up.value; };
@@ -142,8 +148,8 @@ bool shows_the_finding(const Record& record) {
              1.5 * value(*std::ranges::min_element(means, {}, value));
 }
 
-/// Returns the values of the texts "answer" and "answer_numbers": speed-ups of the best
-/// formulations. What is missing is a mark, and its clause empty.
+/// Returns the values of placeholders in the texts "answer" and "answer_numbers": speed-ups of the
+/// best formulations. A missing speed-up is missing_mark, and its clause empty.
 TextValues what_gains(const Record& record) {
   TextValues values = words_of(record);
   std::vector<std::string> over_paper;
@@ -167,8 +173,8 @@ TextValues what_gains(const Record& record) {
   return values;
 }
 
-/// Returns the repetitions of what has the fewest, of the case's candidates with a time; 0 where
-/// there is none.
+/// Returns the least number of repetitions of a candidate with a time, of all sizes of the case in
+/// front; 0 where there is no time.
 std::size_t least_repetitions(const Record& record) {
   const std::string name = in_front(record).case_name;
   std::size_t least = 0;

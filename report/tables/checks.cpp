@@ -1,4 +1,4 @@
-// The table of costs of checking a run.
+// The table of what checking a run costs.
 #include <algorithm>
 #include <numeric>
 
@@ -9,30 +9,33 @@
 namespace desmo::report {
 namespace {
 
-/// Ends of ids of checked runs; the last is that of older records.
+/// Suffixes of ids of checked runs; "/monitored" is in older records.
 constexpr std::string_view suffixes[] = {"/check:proof", "/check:sample", "/monitored"};
 
-/// Returns the end of an id that says how its run is checked; empty: it is not.
+/// Returns the suffix of an id that says how its run is checked; empty where the run is not
+/// checked.
 std::string_view suffix_of(std::string_view id) {
   const auto found = std::ranges::find_if(suffixes, [&](auto s) { return id.ends_with(s); });
   return found == std::end(suffixes) ? "" : *found;
 }
 
-/// Returns "proof", "sample" or "monitored".
+/// Returns the last word of a suffix: "proof", "sample" or "monitored".
 std::string word_of(std::string_view suffix) {
   return std::string(suffix.substr(suffix.find_last_of("/:") + 1));
 }
 
-/// Additional time of a checked run over a bare one.
+/// Additional time of a checked run, compared with a bare one.
 struct Price {
-  std::optional<double> step, share, start;  // µs, % of the bare step, ms
+  // Additional time of a step [µs], the same [% of a bare step], and that of the start [ms].
+  std::optional<double> step, share, start;
 };
 
-/// Tells whether a time has too few repetitions for the small difference of two.
+/// Tells whether a time has too few repetitions for a difference of two times.
 bool is_of_few(const Measured& time) { return time.seconds && !time.seconds->has_interval(); }
 
-/// Returns the price of a step from all timing windows but the first, in which checks are prepared
-/// and begin. What the first one costs beyond that is the price of the start.
+/// Returns the price of a step from all timing windows except for the first, in which checks are
+/// prepared. The price of the start is what the first window costs in addition to that of its
+/// steps. The price is empty unless both times have as many windows, two or more.
 Price price_of(const Record& record, const Measured& bare, const Measured& checked) {
   if (!bare.seconds || !checked.seconds) return {};
   const std::vector<double>&without = bare.seconds->windows, &with = checked.seconds->windows;

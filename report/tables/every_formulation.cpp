@@ -1,5 +1,5 @@
-// All that was recorded, not only what the paper compares: each formulation, several threads by the
-// wall clock, and where the time of a step goes.
+// Tables of all candidates, not only of those that the paper compares; of several threads by the
+// wall clock; and of the phases of a step.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -15,8 +15,8 @@
 namespace desmo::report {
 namespace {
 
-/// Returns the fastest first; what has no time comes last, by id. What stands next to peers is
-/// shown there.
+/// Returns the candidates of a case and size, the fastest first; those without a time come last, by
+/// id. Leaves out candidates next to peers, which the table of peers shows.
 std::vector<CandidateKey> ordered_keys(const Record& record, const CaseSize& place) {
   std::vector<CandidateKey> keys = candidates_at(
       record, place, [&](const std::string& id) { return !is_beside_peers(record, id); });
@@ -27,7 +27,7 @@ std::vector<CandidateKey> ordered_keys(const Record& record, const CaseSize& pla
   return keys;
 }
 
-/// A ratio without its interval.
+/// Returns the speed-up of a key relative to a reference, without its interval.
 Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& reference,
                   const CandidateKey& key) {
   if (key == reference) return reference_entry();
@@ -61,7 +61,8 @@ Table formulations_at(const Record& record, const CaseSize& place) {
 
 }  // namespace
 
-// Other sizes than the paper's largest, or the largest there is, are details.
+// Of each case the table of the paper's largest size, or of the case's largest where that is
+// missing, is shown; the others are details.
 Section every_formulation(const Record& record) {
   Section section = headed_section("formulations");
   for (const auto& [name, sizes] : recorded_sizes(record.candidates)) {

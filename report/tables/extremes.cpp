@@ -1,4 +1,4 @@
-// Stability at the extremes: which formulation does what where most go wrong.
+// Stability at the extremes: what formulations do in extreme cases.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -18,7 +18,8 @@ std::int64_t count(const Results& results, Verdict verdict) {
   return std::ranges::count(results, verdict, [](const ExtremeResult* r) { return r->verdict; });
 }
 
-/// Over all levels and results that were compared.
+/// Returns the largest quotient error / floor, over all levels and results that were compared; none
+/// where nothing was, or all floors are 0.
 std::optional<double> worst_over_floor(const Results& results) {
   std::optional<double> worst;
   for (const ExtremeResult* r : results) {
@@ -55,7 +56,8 @@ void add_verdicts(std::vector<Entry>& row, const Results& results) {
     row.push_back(count(results, v));
 }
 
-/// The first of the worst kind there is.
+/// Returns the id and the reason of the first result with the gravest verdict; empty where all are
+/// as expected.
 std::string example(const Results& results) {
   for (const Verdict v : {Verdict::defect, Verdict::missed, Verdict::not_applicable})
     for (const ExtremeResult* r : results)
@@ -63,7 +65,7 @@ std::string example(const Results& results) {
   return {};
 }
 
-/// The results of a record, apart by what they are of.
+/// The results of a record, by row, by case, and by formulation and row.
 struct Sorted {
   explicit Sorted(const Record& record) {
     for (const ExtremeResult& r : record.extremes) {
@@ -76,7 +78,7 @@ struct Sorted {
     }
   }
   Results all;
-  std::vector<std::string> formulations;  ///< in the record's order
+  std::vector<std::string> formulations;  ///< ids without settings, in the record's order
   std::map<std::int64_t, Results> rows;
   std::map<std::pair<std::int64_t, std::string>, Results> cases;
   std::map<std::pair<std::string, std::int64_t>, Results> by_both;

@@ -1,4 +1,5 @@
-// Instructions of a step, repeatable where times are not: of a record, and commit by commit.
+// Tables of instructions of a step, which are repeatable where times are not: those of a record,
+// and those of one commit after the other.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,7 +12,7 @@ namespace {
 
 using Counted = std::pair<const CandidateKey, StepCount>;
 
-/// The paper's name of a formulation, where it has one.
+/// Returns the paper's name of a formulation; empty where it has none.
 std::string paper_name(const CandidateKey& key) {
   for (const PaperVariant& variant : paper_variants)
     for (const std::string_view family : sparse_families)
@@ -21,7 +22,8 @@ std::string paper_name(const CandidateKey& key) {
   return {};
 }
 
-/// "15.71": the reference's over these.
+/// Returns the entry of the reference's number of instructions, divided by that of `counted`:
+/// "15.71".
 Entry times_fewer(const Counted* reference, const Counted* counted) {
   if (!reference) return note_entry(missing_mark);
   if (counted == reference) return reference_entry();
@@ -71,7 +73,7 @@ std::vector<Section> instructions_sections(const Record& record) {
 
 namespace {
 
-constexpr double marked = 0.02;  // change of a candidate from which on a commit is named
+constexpr double marked = 0.02;  // a commit is listed when |relative change of a candidate| > this
 
 std::string percent_of(double change) { return write_change(100 * change); }
 
@@ -103,7 +105,7 @@ Section history_section(const History& history) {
                             composed("{} %", {percent_of(change)})});
     }
   }
-  std::vector<double> changes{0};  // of each candidate since its first; none is no change
+  std::vector<double> changes{0};  // relative change of each candidate since its first count, and 0
   for (const auto& [candidate, count] : last) changes.push_back(count / first[candidate] - 1);
   return headed_section(
       "history_section",

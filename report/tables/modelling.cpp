@@ -14,11 +14,11 @@
 namespace desmo::report {
 namespace {
 
-/// In the order of columns; the first is the paper's.
+/// Kinds of coordinates, in the order of columns; the first is the paper's.
 constexpr std::array kinds{"natural", "basis", "reference", "relative"};
 
-/// Two formulations, and what the ratio of their times tells. The list is closed: the experiment
-/// measures no others (compared_ids).
+/// Two formulations, and words for the ratio time of reference / time of variant. The experiment
+/// measures no other formulations (compared_ids()).
 struct Pair {
   std::string_view question, reference, variant;
 };
@@ -40,7 +40,8 @@ std::string kind_of(std::string_view id) {
   return given.empty() ? kinds.front() : std::string(given);
 }
 
-/// Returns an id of natural coordinates in others, the first of its settings.
+/// Returns the id, in another kind of coordinates, of a formulation in natural ones. The kind
+/// becomes the first setting.
 std::string id_in(std::string_view id, std::string_view kind) {
   if (kind == kinds.front()) return std::string(id);
   const std::size_t slash = std::min(id.find('/'), id.size());
@@ -48,14 +49,15 @@ std::string id_in(std::string_view id, std::string_view kind) {
          std::string(id.substr(slash));
 }
 
-/// Null where it was not measured, or failed.
+/// Returns the time recorded for an id; null where there is none, or it failed.
 const ModelledTime* find(const Record& record, const CaseSize& place, const std::string& id) {
   const auto found = record.modelled.find({place, id});
   return found == record.modelled.end() || found->second.status != Status::ok ? nullptr
                                                                               : &found->second;
 }
 
-/// The mean over all sizes; a mark where a size has none.
+/// Returns the mean speed-up of a pair in a kind of coordinates over all sizes; missing_mark where
+/// a size has none.
 Entry ratio_in(const Record& record, const std::string& case_name,
                const std::set<std::int64_t>& sizes, const Pair& pair, std::string_view kind) {
   std::vector<SpeedUp> found;
@@ -84,7 +86,7 @@ Entry count_of(const std::optional<std::int64_t>& number) {
   return number ? Entry(*number) : note_entry(missing_mark);
 }
 
-/// Everything measured: a row for each case, size and formulation.
+/// Shows all that was recorded: a row for each case, size and formulation.
 Table all_times(const Record& record) {
   Table table = headed_table("modelling");
   for (const auto& [key, entry] : record.modelled) {
@@ -113,7 +115,8 @@ std::optional<double> time_in(const Record& record, const CaseSize& place, std::
   return entry ? std::optional(std::ranges::min(entry->time.seconds)) : std::nullopt;
 }
 
-/// Returns the times of a step in each kind of coordinates, over a unit [s] if that is known.
+/// Returns the times of a step in each kind of coordinates, divided by a unit [s]; missing_mark for
+/// all where the unit is missing.
 std::vector<Entry> times_of(const Record& record, const CaseSize& place, std::string_view id,
                             const std::optional<double>& unit) {
   std::vector<Entry> times;
@@ -124,7 +127,8 @@ std::vector<Entry> times_of(const Record& record, const CaseSize& place, std::st
   return times;
 }
 
-/// The last case at its largest size: a row for each formulation, a column for each kind.
+/// Shows the last case at its largest size: a row for each formulation, a column for each kind of
+/// coordinates.
 Table in_short(const Record& record) {
   const CaseSize& last = record.modelled.rbegin()->first;
   Table table = headed_table("modelling_in_short",
@@ -139,7 +143,7 @@ Table in_short(const Record& record) {
   return table;
 }
 
-/// "0.69, 0.95, 0.80 and 1.12" in the order of kinds.
+/// Returns the first numbers of entries as a list in a sentence: "0.69, 0.95, 0.80 and 1.12".
 std::string in_all_kinds(std::span<const Entry> entries) {
   std::vector<std::string> texts;
   for (const Entry& entry : entries)

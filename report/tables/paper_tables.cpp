@@ -1,5 +1,5 @@
-// Tables 1 and 2 of the paper, CPU seconds and S = t_global / t_topological, and what figures 5 and
-// 6 show of them: the designs in report/figures draw these numbers.
+// Tables 1 and 2 of the paper, CPU seconds and S = t_global / t_topological, and the data of
+// figures 5 and 6, which the designs in report/figures draw.
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -12,7 +12,7 @@
 namespace desmo::report {
 namespace {
 
-/// Returns the paper's sizes and those that were recorded of some variants.
+/// Returns the paper's sizes, and those at which one of the variants was recorded in a family.
 std::set<std::int64_t> sizes_with(const Record& record, std::string_view family,
                                   std::span<const PaperVariant> shown) {
   std::set<std::int64_t> sizes(published_sizes().begin(), published_sizes().end());
@@ -22,7 +22,8 @@ std::set<std::int64_t> sizes_with(const Record& record, std::string_view family,
   return sizes;
 }
 
-/// Adds the row of ours, and below it the paper's where it prints anything.
+/// Adds our row, and below it the paper's, if the paper prints anything there. Entries of numbers
+/// begin in the third column.
 void add_both(Table& table, std::vector<Entry> ours, std::vector<Entry> paper) {
   bool published = false;
   for (std::size_t i = 2; i < paper.size(); ++i)
@@ -39,7 +40,8 @@ Entry published_seconds_entry(const std::string& row, const PaperVariant& varian
   return read_number(digits) ? digits_entry(digits) : note_entry(digits);  // "<<0.015"
 }
 
-/// Returns the speed-up of its table 2 likewise, as {speed_up, low, high, percent}.
+/// Returns the speed-up that the paper prints of a variant in a row of its table 2, with the
+/// quantities {speed_up, low, high, percent}, of which low and high are missing.
 Entry published_speed_up_entry(const std::string& row, const PaperVariant& variant,
                                bool with_percent = true) {
   const std::string value = published(published_speed_up, row, variant.paper_name);
@@ -49,8 +51,8 @@ Entry published_speed_up_entry(const std::string& row, const PaperVariant& varia
                                 published(published_improvement_percent, row, variant.paper_name)});
 }
 
-/// Returns a mean over the paper's sizes. With fewer it does not compare with the paper's, and says
-/// so: "incomplete 4/5".
+/// Returns the mean speed-up over the paper's sizes. A mean of fewer sizes, which cannot be
+/// compared with the paper's, has the note "incomplete 4/5".
 Entry mean_speed_up_entry(const Record& record, std::string_view family,
                           const PaperVariant& variant, bool with_percent = false) {
   const std::vector<std::int64_t>& sizes = published_sizes();
@@ -62,8 +64,9 @@ Entry mean_speed_up_entry(const Record& record, std::string_view family,
   return entry;
 }
 
-/// Returns the paper's value with inside_mark or outside_mark: whether our interval contains it,
-/// both as printed. Unchanged where one of them is missing or ours is of fewer sizes.
+/// Returns the paper's value with inside_mark where our interval contains it, both as printed, and
+/// with outside_mark where it does not. Returns it unchanged where the value or the interval is
+/// missing, or our mean is incomplete.
 Entry compared(Entry published, const Entry& ours) {
   const bool incomplete = ours.note.find("incomplete") != std::string::npos;
   if (!published.has_number() || incomplete || ours.digits.size() < 3) return published;
@@ -76,7 +79,7 @@ Entry compared(Entry published, const Entry& ours) {
 }
 
 /// Shows table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
-/// paper's. Its sizes are the paper's, its four-bar and whatever else was recorded.
+/// paper's. Its sizes are the paper's, published_four_bar, and others that were recorded.
 Table cpu_times(const Record& record, std::string_view family) {
   const Sources source = sources(record);
   const char* const solver = family == papers_own ? "table1.ma27_too" : "table1.ma27_in_place";
@@ -105,9 +108,9 @@ Table cpu_times(const Record& record, std::string_view family) {
   return table;
 }
 
-/// Shows table 2 of the paper for one sparse family, which stands in the sparse columns and in the
-/// global reference alike: speed-up and improvement, ours above the paper's, which is marked in or
-/// out of our interval.
+/// Shows table 2 of the paper for one sparse family: speed-up and improvement, ours above the
+/// paper's, which is marked as in or out of our interval. The family's solver is used in the sparse
+/// columns and in the global reference.
 Table speed_ups(const Record& record, std::string_view family) {
   Table table = headed_table(
       "table2",
@@ -136,11 +139,11 @@ Table speed_ups(const Record& record, std::string_view family) {
   return table;
 }
 
-/// Name of the paper's own solver next to the families.
+/// Name of the paper's times or speed-ups, next to those of the families.
 constexpr const char* paper_solver = "MA27 (the paper)";
 
-/// Returns the legend of a variant, which is the same in all panels: TS-TPA_MA27 -> TS-TPA sparse,
-/// TS-TPA_LAP -> TS-TPA LAPACK.
+/// Returns the name of a variant in legends, which is the same for all families: "TS-TPA sparse"
+/// for TS-TPA_MA27, "TS-TPA LAPACK" for TS-TPA_LAP.
 std::string legend(const PaperVariant& variant) {
   std::string name = family_name(variant, "sparse");
   for (char& c : name)
@@ -148,7 +151,8 @@ std::string legend(const PaperVariant& variant) {
   return name.ends_with("LAP") ? name + "ACK" : name;
 }
 
-/// Adds a row for each size; `entry_of` gives a variant's time at a size.
+/// Adds a row for each of the paper's sizes. entry_of: function that returns a variant's time at a
+/// size.
 template <typename EntryOf>
 void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
   for (const std::int64_t size : published_sizes()) {

@@ -1,5 +1,4 @@
-// The table of peers, which a user might pick instead, next to the formulations that start from the
-// same guess.
+// The table of peers next to the formulations that start from the same guess.
 #include <algorithm>
 #include <map>
 
@@ -10,10 +9,10 @@
 namespace desmo::report {
 namespace {
 
-/// Ours with one guess at one place: all of them, and those that ratios are over.
+/// Our formulations with a peer's guess, at its case and size.
 struct Ours {
   std::vector<CandidateKey> all;
-  std::optional<CandidateKey> global, fastest;  // the fastest that solves globally, and of all
+  std::optional<CandidateKey> global, fastest;  // the fastest global formulation; fastest of all
 };
 
 Ours ours_with(const Record& record, const Peer& peer) {
@@ -27,15 +26,17 @@ Ours ours_with(const Record& record, const Peer& peer) {
   return ours;
 }
 
-/// Ratio of a peer's time to ours.
+/// Ratio time of a peer / time of our fastest formulation.
 struct PeerRatio {
   std::string peer;
   SpeedUp times;
 };
 
+/// Peers of a case by number of coordinates and guess.
 using PeersByGuess = std::map<std::pair<std::int64_t, std::string>, std::vector<const Peer*>>;
 
-/// Says which peer is fastest, and which slowest, at a case's largest size where any has a ratio.
+/// Returns a sentence on the fastest and the slowest peer, at a case's largest size at which one
+/// has a ratio.
 std::string found(const Record& record, const std::string& case_name, const PeersByGuess& all) {
   std::int64_t size = 0;
   std::vector<PeerRatio> ratios;
@@ -59,7 +60,8 @@ std::string found(const Record& record, const std::string& case_name, const Peer
   return sentence("peers.found", words);
 }
 
-/// Returns the entry of that ratio: "6.10 [5.90, 6.32]", quantities {ratio, low, high}.
+/// Returns the entry of the ratio of a time to ours, "6.10 [5.90, 6.32]", quantities {ratio, low,
+/// high}. key: candidate or peer that has the time.
 Entry peer_ratio_entry(const Record& record, const std::optional<CandidateKey>& ours,
                        const CandidateKey& key, const Measured& time) {
   if (ours == key) return reference_entry();

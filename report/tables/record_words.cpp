@@ -1,4 +1,4 @@
-// A record in words: how it was measured, what a reader must not conclude, and what failed.
+// Words about a record: how it was measured, what must not be concluded from it, and what failed.
 #include "report/tables/record_words.h"
 
 #include <algorithm>
@@ -20,7 +20,8 @@ std::string commit_of(const Record& record) {
 
 namespace {
 
-/// The fewest and the most repetitions of what was timed in the paper's experiment; 0: nothing was.
+/// The least and the largest number of repetitions of a measurement of the paper's experiment; both
+/// are 0 where nothing was timed.
 struct Repetitions {
   std::size_t least = 0, most = 0;
 };
@@ -35,12 +36,12 @@ Repetitions repetitions_of(const Record& record) {
   return found;
 }
 
-/// Tells whether nothing was measured often enough for an interval.
+/// Tells whether something was timed, and nothing often enough for an interval.
 bool is_first_look(const Repetitions& found) {
   return found.most > 0 && found.most < min_for_interval;
 }
 
-/// Tells whether times are taken from samples of timing windows.
+/// Tells whether any candidate has samples of timing windows.
 bool has_samples_of_windows(const Record& record) {
   return std::ranges::any_of(record.candidates, [](const auto& candidate) {
     return !candidate.second.time.windows.samples.empty();

@@ -1,4 +1,4 @@
-// The table of costs of solving only what a request needs.
+// The table of what it costs to solve only what a request needs.
 #include <map>
 #include <set>
 
@@ -13,7 +13,8 @@ Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
   return composed("{} of {}", {std::to_string(solved), std::to_string(all)});
 }
 
-/// The row of a request; of null, of what solves everything with the formulation of a key.
+/// Returns the row of a request; for null the row of the candidate that solves everything by the
+/// formulation of `like`.
 std::vector<Entry> row_of(const Record& record, const MeasuredRequest& like,
                           const MeasuredRequest* request) {
   const auto whole = record.candidates.find(like.key);
@@ -32,8 +33,8 @@ std::vector<Entry> row_of(const Record& record, const MeasuredRequest& like,
           solved ? remark(*solved) : ""};
 }
 
-/// Says by how much a request is cheaper than everything: the least, the most, and which gains
-/// most.
+/// Returns a sentence on the least and the largest speed-up of a request relative to everything,
+/// and on the request with the largest.
 std::string found(const Record& record, const std::vector<const MeasuredRequest*>& asked) {
   std::optional<SpeedUp> least, most;
   const MeasuredRequest* best = nullptr;

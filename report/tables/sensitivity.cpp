@@ -1,5 +1,5 @@
-// The paper's dimensions, motion and step are not published. Which of its speed-ups depend on what
-// was put in their place?
+// The table that shows how the paper's speed-ups depend on step, tolerance and guess. The paper
+// does not publish its dimensions, motion and step.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,18 +11,18 @@
 namespace desmo::report {
 namespace {
 
-constexpr double min_tolerance = 1e-12, max_tolerance = 1e-6;
+constexpr double min_tolerance = 1e-12, max_tolerance = 1e-6;  // range of tolerances shown, ≤
 
-/// A speed-up of the paper: over which analysis, of which (by position in `paper_variants`).
+/// A speed-up of the paper: indices of its two analyses in `paper_variants`.
 struct Claimed {
   std::size_t reference, variant;
 };
 constexpr std::array<Claimed, 5> claimed{{{0, 1}, {2, 3}, {2, 4}, {2, 5}, {2, 6}}};
 
-/// A setting that differs from the paper's, all else as there.
+/// A value of one setting; all others are the paper's.
 struct Variation {
-  std::string what, value;
-  double step;  ///< s
+  std::string what, value;  ///< words for the setting and its value
+  double step;              ///< time between two instants [s]
   Configuration settings;
 };
 
@@ -50,7 +50,8 @@ std::vector<Variation> variations(const Record& record) {
   return all;
 }
 
-/// Finds a variant at the size at which its case is drawn; null when it was not tried.
+/// Finds the point of a variant with a variation, at the size of drawn_series(); returns null when
+/// it was not tried.
 const NamedPoint* find_variant(const Record& record, const PaperVariant& variant,
                                std::string_view family, const Variation& variation) {
   const std::vector<SeriesKey> all = drawn_series(record);

@@ -1,5 +1,5 @@
-// Tables of size: how the time of a step grows with the number of coordinates, where caches end it,
-// and from how many unknowns on sparse matrices are faster than dense ones.
+// Tables of size: how the time of a step grows with the number of coordinates, up to which size the
+// growth is linear, and from how many unknowns on sparse matrices are faster than dense ones.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,17 +11,18 @@
 namespace desmo::report {
 namespace {
 
-/// Break-even of the paper: near 60 variables, comparing LAPACK with MA27.
+/// Break-even size in the paper: near 60 variables, for LAPACK and MA27.
 constexpr const char* published_break_even = "60";
 
-/// Returns the n at which d, linear in log n, becomes zero.
+/// Returns the n between two sizes at which d, linear in log n, is zero.
 double zero_between(const SizeOfBoth& a, const SizeOfBoth& b) {
   return a.n * std::pow(b.n / a.n, a.d / (a.d - b.d));
 }
 
-/// "66 [61, 76]": the unknowns from which on sparse matrices are faster, interpolated in log t over
-/// log n, and the sizes before the first crossing and after the last. In words where one curve is
-/// the faster at every size, or the dense one at the largest.
+/// Returns the entry "66 [61, 76]": the number of unknowns from which on sparse matrices are
+/// faster, interpolated in log t as a function of log n, the size before the first break-even, and
+/// the size after the last one. It has words where the sparse curve is faster at every size, or the
+/// dense one at the largest.
 Entry break_even_entry(const Curve& dense, const Curve& sparse) {
   const std::vector<SizeOfBoth> all = sizes_of_both(dense, sparse);
   if (all.empty()) return note_entry(missing_mark);
@@ -33,7 +34,7 @@ Entry break_even_entry(const Curve& dense, const Curve& sparse) {
   for (std::size_t i = 1; i < all.size(); ++i) {
     if ((all[i - 1].d > 0) == (all[i].d > 0)) continue;
     if (low.empty()) low = write_shortest(all[i - 1].n);
-    unknowns = write_fixed(zero_between(all[i - 1], all[i]), 0);  // the last is the one that holds
+    unknowns = write_fixed(zero_between(all[i - 1], all[i]), 0);  // that of the last interval stays
     high = write_shortest(all[i].n);
   }
   if (low.empty()) return in_words("break_even.sparse", all.front().n);
@@ -85,7 +86,7 @@ constexpr double min_linear = 0.9, max_linear = 1.15;
 
 bool is_linear(double slope) { return min_linear <= slope && slope <= max_linear; }
 
-/// Fits the times of a curve up to max_linear_coordinates.
+/// Fit of an exponent to the times of a curve at up to max_linear_coordinates.
 struct Fit {
   explicit Fit(const Curve& curve) {
     std::vector<double> sizes, seconds;
@@ -101,7 +102,8 @@ struct Fit {
   std::optional<Slope> slope;
 };
 
-/// "1.012 [0.990, 1.034] n=5 linear"; the number of sizes where there are too few for a slope.
+/// Returns the entry "1.012 [0.990, 1.034] n=5 linear"; where there are fewer than three sizes, a
+/// note with their number.
 Entry slope_entry(const Curve& curve) {
   const Fit fit(curve);
   const std::string count = std::to_string(fit.count),
@@ -116,7 +118,8 @@ Entry slope_entry(const Curve& curve) {
                   growth + gap);
 }
 
-/// "8.28 at 558"
+/// Returns the entry of the time of a step per coordinate [ns], and the number of coordinates:
+/// "8.28 at 558".
 Entry cost_entry(const CurvePoint& point) {
   return composed("{} at {}",
                   {write_significant(point.nanoseconds(), 3), std::to_string(point.coordinates)});
@@ -137,8 +140,8 @@ Table exponents(const Curves& curves) {
   return table;
 }
 
-/// Returns the caches that hold data, smallest first: their names and KiB. They are read from texts
-/// such as "L2 Unified 1024 KiB, shared by 1"; others are left out.
+/// Returns the names and sizes [KiB] of the caches that hold data, the smallest first. They are
+/// read from texts such as "L2 Unified 1024 KiB, shared by 1"; other texts are left out.
 std::vector<std::pair<std::string, double>> data_caches(const Machine& machine) {
   std::vector<std::pair<std::string, double>> caches;
   for (const std::string& text : machine.caches) {
@@ -180,11 +183,11 @@ Table growth_data(const Record& record) {
   return table;
 }
 
-/// Shows whether growth is linear, and up to where.
+/// Shows whether growth is linear, and how the time per coordinate grows up to the largest size.
 Section growth(const Record& record) {
   const Curves curves = curves_of(record.growth);
   std::size_t fitted = 0, linear = 0;
-  std::optional<double> least;  // cost of a coordinate [ns]
+  std::optional<double> least;  // least time of a step per coordinate [ns]
   for (const auto& [key, curve] : curves) {
     if (const CurvePoint* const point = cheapest(curve))
       least = std::min(least.value_or(point->nanoseconds()), point->nanoseconds());
@@ -201,7 +204,8 @@ Section growth(const Record& record) {
 
 }  // namespace
 
-/// Brings to the front what the sections found: sentences, numbers, figures, and few rows.
+/// Moves sentences, numbers and figures of the sections to the short one, and adds excerpts of
+/// their tables.
 std::vector<Section> size_sections(const Record& record) {
   std::vector<Section> sections{headed_section("size")};
   const auto add = [&](Section section, const char* in_short, bool only_last_case) {

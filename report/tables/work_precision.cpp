@@ -1,5 +1,4 @@
-// The table of the work–precision figure of a case: the design in report/figures draws these
-// numbers.
+// The data of the work–precision figure of a case, which a design in report/figures draws.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -12,8 +11,8 @@
 namespace desmo::report {
 namespace {
 
-/// "group, sparse": of <partition>_<equations>_<algebra>; "interpolated", whatever it is, where
-/// not every instant is solved.
+/// Returns the partition and the kind of algebra of a formulation, such as "group, sparse"; where
+/// not every instant is solved, "interpolated".
 std::string family_of(const Configuration& configuration) {
   if (!configuration.solves_every_instant()) return "interpolated";
   const std::string& id = configuration.formulation;
@@ -24,9 +23,13 @@ double seconds_of(const NamedPoint* point) {
   return is_solved(*point) ? step_seconds(*point) : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the points that are drawn, of points by time: of each formulation and scalar the
-/// settings that no others of its own beat in both time and error, and the paper's; and all that
-/// failed.
+/// Returns the points that are drawn:
+/// - of each formulation and scalar, with and without interpolation, the solved points with a
+/// smaller
+///   error than all faster ones
+/// - solved points with the paper's settings
+/// - all that failed
+/// points: the fastest first.
 Points drawn(Points points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::map<std::tuple<std::string, std::string, bool>, double> least;

@@ -1,5 +1,5 @@
-// The words of the report, from text/texts.txt: sentences with placeholders, and the heads of
-// tables and sections.
+// The words of the report in text/texts.txt: sentences with placeholders, and the heads of tables
+// and sections.
 #pragma once
 
 #include <concepts>
