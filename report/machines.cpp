@@ -70,7 +70,7 @@ std::size_t rows_in(const std::vector<Table>& tables) {
 }  // namespace
 
 Section machines(const Record& record, const std::vector<const Record*>& others) {
-  std::map<std::string, std::vector<Table>> best;  // by CPU: tables of the record with most rows
+  std::map<std::string, std::vector<Table>> best;  // by CPU: the tables with most rows
   for (const Record* other : others) {
     if (record.machine.cpu == other->machine.cpu || !different_work_reasons(record, *other).empty())
       continue;

@@ -118,7 +118,8 @@ struct SiteCommand {
 
 ExitCode site(const SiteCommand& command) {
   const auto pages = make_site(command.results);
-  for (const auto& [folder, files] : std::views::reverse(pages))  // the index last: it has links
+  for (const auto& [folder, files] :
+       std::views::reverse(pages))  // the index, which links to the others, is last
     write_files(std::filesystem::path(command.folder) / folder, files);
   return success;
 }

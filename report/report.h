@@ -19,8 +19,8 @@ namespace desmo::report {
 Document make_report(const Record& record, const std::vector<const Record*>& beside = {});
 
 /// Returns the speed-ups of a record next to those of others that measured the same on another
-/// machine, each relative to the reference in its own record (reference_of()). Of each machine the
-/// record with the most speed-ups in common is taken. The section has no tables where no other
+/// machine. Each is relative to the reference in its own record (reference_of()). Of each machine
+/// the record with the most speed-ups in common is taken. The section has no tables where no other
 /// record measured the same.
 Section machines(const Record& record, const std::vector<const Record*>& others);
 

@@ -1,5 +1,5 @@
-// Row 15: a crank arrives at, leaves, touches or rests next to the position in which coupler and
-// rocker are stretched, where the joint may go on to either side.
+// Row 15: a crank arrives at, leaves, touches or rests next to a change point. There coupler and
+// rocker are stretched, and the joint may go on to either side.
 #include <numbers>
 
 #include "cases/extremes/rows.h"

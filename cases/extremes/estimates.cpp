@@ -1,5 +1,5 @@
-// Row 14: checks of the stated condition numbers and radii in cases of other rows, in one that
-// approaches a dead point, and in mechanisms of the library.
+// Row 14: checks of the stated condition numbers and radii. Cases are those of other rows, one that
+// approaches a dead point, and mechanisms of the library.
 #include <algorithm>
 #include <iterator>
 #include <numbers>

@@ -44,7 +44,7 @@ void hinge_loop(MechanismBuilder& mechanism, const std::string& body, std::span<
                 std::span<const int> axes, int from, int towards);
 
 /// A link of a loop in parameters of Denavit and Hartenberg: angle at its hinge [rad], distance to
-/// the next hinge, and angle from the axis of its hinge to that of the next one [rad].
+/// the next hinge, and angle between the axes of the two hinges [rad].
 struct HingedLink {
   double angle, length, twist;
 };

@@ -33,7 +33,7 @@ void add(MechanismBuilder& d, const DyadChain& chain) {
     d.joint(revolute, coupler, rocker, {c});
     d.joint(revolute, MechanismBuilder::ground, rocker, {pivot});
     d.angle(name + "psi", {-1, pivot, c}).estimate = dyad.angle;
-    b = c;  // where the next dyad's coupler starts
+    b = c;  // the next dyad's coupler starts here
     before = rocker;
   }
 }
@@ -41,8 +41,8 @@ void add(MechanismBuilder& d, const DyadChain& chain) {
 DyadChain::Dyad closed_dyad(const Mechanism::Vec& from, const Mechanism::Vec& pivot, double coupler,
                             double rocker, int side) {
   const double ax = pivot[0] - from[0], ay = pivot[1] - from[1], length = std::hypot(ax, ay);
-  // Intersection of two circles. In units of the distance between `from` and `pivot`, the joint
-  // lies x along the line from `from` to `pivot`, and h to its left.
+  // Intersects two circles. The joint lies x along the line from `from` to `pivot`, and h to its
+  // left, both in units of the line's length.
   const double p = coupler / length, r = rocker / length;
   const double x = (1 + (p - r) * (p + r)) / 2;
   const double h = side * std::sqrt(std::max(0.0, (p - x) * (p + x)));

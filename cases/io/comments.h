@@ -5,9 +5,9 @@
 
 namespace desmo {
 
-/// Returns a JSON text with blanks in place of its comments, `// …` to the end of the line and
-/// `/* … */`, so that everything else keeps its place. Line ends within comments stay, and so does
-/// a `/*` without `*/`.
+/// Returns a JSON text with blanks in place of its comments, so that everything else keeps its
+/// place. Comments are `// …` to the end of the line, and `/* … */`. Line ends within comments
+/// stay, and so does a `/*` without `*/`.
 std::string without_comments(std::string_view text);
 
 }  // namespace desmo

@@ -24,7 +24,7 @@ bool to_number(std::string_view field, double& value);
 /// Name and unit of a column, read from `theta [deg]` or `theta (deg)`, also in quotes.
 struct ColumnHeading {
   std::string_view name, unit;  ///< the unit is empty where there are no brackets, or empty ones
-  bool has_unit;                ///< there are brackets
+  bool has_unit;                ///< the heading has brackets
 };
 ColumnHeading column_heading(std::string_view field);
 

@@ -18,7 +18,7 @@ class JsonValue;
 class JsonDocument {
  public:
   /// Parses a text; comments count as blanks (comments.h). Throws InputError unless it is JSON of
-  /// at most 64 MiB, 10⁷ values and 32 levels, with finite numbers only and no key twice in an
+  /// at most 64 MiB, 10⁷ values and 32 levels. Numbers must be finite, and keys unique in an
   /// object.
   JsonDocument(std::string_view text, std::string file_name);
   JsonDocument(const JsonDocument&) = delete;

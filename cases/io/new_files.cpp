@@ -33,7 +33,8 @@ std::string followed(fs::path path) {
   std::error_code error;
   for (int links = 0; fs::is_symlink(path, error); ++links) {
     if (links == max_links) return "";
-    path = path.parent_path() / fs::read_symlink(path, error);  // from the link's own folder
+    path =
+        path.parent_path() / fs::read_symlink(path, error);  // links are relative to their folder
   }
   return path.string();
 }

@@ -34,7 +34,7 @@ Requestable::Requestable(const Mechanism& mechanism) : d_(mechanism) {
   fill(angles, d_.coordinates, is_angle);
   fill(distances, d_.coordinates, std::not_fn(is_angle));
   fill(bodies, d_.bodies, any);
-  fill(rotations, d_.bodies, any, 1);  // without the ground
+  fill(rotations, d_.bodies, any, 1);  // index 0 is the ground
   fill(joints, d_.joints,
        [&](int j) { return turns(d_.joints[j].type) || slides(d_.joints[j].type); });
 }

@@ -47,12 +47,12 @@ bool is_in(int index, const List& list) {
 
 void check_names(const Mechanism& mechanism);
 
-/// Checks numbers and indices of points, vectors and bodies, lengths and frames of bodies, and that
-/// the points of a body do not all coincide.
+/// Checks numbers and indices of points, vectors and bodies, and lengths and frames of bodies. The
+/// points of a body must not all coincide.
 void check_entities(const Mechanism& mechanism);
 
-/// Checks that a vector along a line has two points that do not coincide, and that a body which
-/// carries the vector carries both, if any body carries the vector.
+/// Checks that a vector along a line has two points that do not coincide. If bodies carry the
+/// vector, one of them must carry both points.
 void check_vectors_along(const Mechanism& mechanism, const Carriers& points,
                          const Carriers& vectors);
 
@@ -61,8 +61,8 @@ void check_joints(const Mechanism& mechanism, const Carriers& points, const Carr
 
 void check_coordinates(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
-/// Checks that couplings relate two to four different coordinates, one at least not driven, with
-/// finite factors other than 0, and that their tables make splines.
+/// Checks that couplings relate two to four different coordinates, one at least not driven. Factors
+/// must be finite and not 0, and tables must make splines.
 void check_couplings(const Mechanism& mechanism);
 
 }  // namespace desmo

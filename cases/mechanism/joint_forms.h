@@ -8,10 +8,10 @@
 namespace desmo {
 
 /// Form of a joint type in the plane or in space: its name in files, the points and vectors that it
-/// joins, and the freedoms that it removes. Each list of a joint holds either entities that both
-/// bodies carry (common) or entities of one body each (own), the first body's before the second's.
-/// Of two own points, the second moves in the first body along the first vector only. With in_plane
-/// that vector is a normal, and the point moves at right angles to it only.
+/// joins, and the freedoms that it removes. Entities of a joint are either common, which both
+/// bodies carry, or own, which one body carries. In lists the first body's own one is before the
+/// second's. Of two own points, the second moves in the first body along the first vector only.
+/// With in_plane that vector is a normal, and the point moves at right angles to it only.
 struct JointForm {
   Mechanism::JointType type;
   int dimension;

@@ -65,8 +65,8 @@ struct Mechanism {
     /// then estimates. Without it the nominal distance holds.
     std::optional<Derived> length{};
     /// Shape in the body's own frame; nominal positions and directions are then estimates. Sliding
-    /// joints of such a body then have no offset from their line or plane, whatever is drawn, and
-    /// the two vectors of a universal joint are at a right angle.
+    /// joints of such a body have no offset from their line or plane, whatever is drawn. The two
+    /// vectors of its universal joints are at a right angle.
     std::optional<Frame> own{};
   };
 
@@ -162,7 +162,7 @@ struct Mechanism {
   std::string length_unit = "m";  ///< "m", or "1": a free unit
   std::vector<Point> points;
   std::vector<Vector> vectors;
-  std::vector<Body> bodies;  ///< the first is the ground
+  std::vector<Body> bodies;  ///< all bodies; the first is the ground
   std::vector<Joint> joints;
   std::vector<Coordinate> coordinates;
   std::vector<Coupling> couplings;
@@ -191,8 +191,8 @@ void name_joints(Mechanism& mechanism);
 /// - no line used as a direction has zero length
 /// - the points of a moving body without vectors do not all coincide, where it has two or more
 /// - a given length is positive and its body has exactly two points, which do not coincide
-/// - a body with a frame of its own is not the ground, has no length and no fixed joint, and gives
-///   each of its points and vectors in that frame
+/// - a body with a frame of its own is not the ground, and has no length and no fixed joint; the
+///   frame has each of the body's points and vectors
 void validate(const Mechanism& mechanism);
 
 }  // namespace desmo

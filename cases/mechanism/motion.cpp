@@ -34,9 +34,9 @@ std::vector<T> solve(const Tridiagonal<T>& matrix, std::vector<T> x) {
   return x;
 }
 
-/// Solves the system of a tridiagonal matrix with `corner` added at its upper right and lower left.
-/// Sherman and Morrison: that matrix is A + u vᵀ with u = (γ, 0 … 0, corner) and
-/// v = (1, 0 … 0, corner/γ), where A is tridiagonal.
+/// Solves the system of a tridiagonal matrix with `corner` added at its upper right and lower left,
+/// by the formula of Sherman and Morrison. The matrix is A + u vᵀ with u = (γ, 0 … 0, corner) and v
+/// = (1, 0 … 0, corner/γ), where A is tridiagonal.
 template <class T>
 std::vector<T> solve_cyclic(Tridiagonal<T> matrix, const T& corner, std::vector<T> rhs) {
   const T gamma = -matrix.diagonal.front();  // any number but 0; this one keeps A dominant
@@ -58,8 +58,8 @@ bool closes(SplineEnds ends) {
   return ends == SplineEnds::periodic || ends == SplineEnds::indexing;
 }
 
-/// Returns z̈ at every knot, from the continuity of ż at knot i, where interval i (length hᵢ, slope
-/// δᵢ of its chord) follows interval i−1:
+/// Returns z̈ at every knot. The velocity ż is continuous at knot i, where interval i (length hᵢ,
+/// slope δᵢ of its chord) follows interval i−1:
 ///   hᵢ₋₁ z̈ᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) z̈ᵢ + hᵢ z̈ᵢ₊₁ = 6 (δᵢ − δᵢ₋₁)
 template <class T>
 std::vector<T> second_derivatives(const std::vector<T>& h, const std::vector<T>& slope,
@@ -171,7 +171,7 @@ void Spline::add(double knot, const Piece& piece) {
 
 /// The motion accelerates for the duration `up`, moves at the limit of velocity until `brakes`
 /// (trapezoid only), and decelerates for the duration `up`. Pieces are cubics of the time since
-/// their rounded knots, with remainders, so that the motion is continuous up to a relative error of
+/// their rounded knots. With their remainders the motion is continuous up to a relative error of
 /// about 2^-100. Knots are rounded up: no double lies between an exact knot and the rounded one.
 Spline make_spline(const Trapezoid& of) {
   const bool is_back = of.distance.value < 0;

@@ -159,8 +159,8 @@ MotionSample<S> sample(const Motion& motion, const S& t) {
 
 /// Equally spaced instants. Each is computed from its index, never accumulated.
 struct TimeGrid {
-  double start = 0;            ///< [s]
-  double step = 0;             ///< [s], above 0
+  double start = 0;            ///< time of the first instant [s]
+  double step = 0;             ///< duration of a step [s], above 0
   int instants = 0;            ///< number of instants, both ends included; 1: the start alone
   int steps_per_interval = 1;  ///< number of steps between instants
 

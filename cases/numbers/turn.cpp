@@ -26,7 +26,7 @@ Direction operator*(const Direction& a, const Direction& b) {
 
 const std::array<Turn<double>, 128>& table_of_turns() {
   static const std::array<Turn<double>, 128> table = [] {
-    Direction step{0, 1};  // π/2
+    Direction step{0, 1};  // direction at π/2, then at its halves
     for (int halvings = 0; halvings < 5; ++halvings) step = half(step);
     std::array<Turn<double>, 128> turns;
     Direction at{1, 0};

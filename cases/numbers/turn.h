@@ -73,7 +73,7 @@ Turn<S> turn(const S& angle) {
   // π/64, of 27 and 25 bits, are exact, and so is the first difference.
   constexpr double per_step = 0x1.45f306dc9c883p4, whole = 0x1.8p52;
   constexpr double high = 0x3.243f6a8p-6, middle = 0x0.885a308p-34, low = 0x0.d313198a2e037p-62;
-  const S k = (angle * S(per_step) + S(whole)) - S(whole);  // rounded to an integer
+  const S k = (angle * S(per_step) + S(whole)) - S(whole);  // 64/π · angle, rounded to an integer
   const S first = angle - k * S(high), second = k * S(middle);
   const S difference = first - second, of_second = first - difference;
   const S lost = (first - (difference + of_second)) + (of_second - second);

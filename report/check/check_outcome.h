@@ -40,12 +40,12 @@ struct CheckOutcome {
 /// unless head is wrong.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
-/// Returns the measurements that could still change the verdict: "first CANDIDATE" where the first
-/// pass has to be repeated or prolonged, "second CANDIDATE" where the second one has.
+/// Returns the measurements that could still change the verdict. "first CANDIDATE" stands for more
+/// rounds of the first pass. "second CANDIDATE" stands for rounds of the second one.
 std::vector<std::string> pending(const CheckOutcome& found);
 
-/// Returns the verdict with its reasons, a table of times and one of instructions, where there are
-/// any, and a line on what was measured where.
+/// Returns the verdict with its reasons, a line on what was measured where, and tables of times and
+/// of instructions, where there are any.
 Document verdict_document(const CheckRecord& check, const CheckOutcome& found);
 
 }  // namespace desmo::report

@@ -53,8 +53,8 @@ bool is_sound(const Measurement& candidate) {
   return candidate.status != Status::failed && candidate.verification;
 }
 
-// Refuses a candidate that is sound on both sides, or on head where it is alone, but has no times
-// in a check with times, or no count in a check with counts.
+// Refuses a candidate of head that is neither wrong nor verified. Where a candidate is sound on all
+// sides, refuses missing times in a check with times, and missing counts in a check with counts.
 void check_complete(const CheckRecord& check, const RecordValue& root) {
   const RecordValue head = root["head"];
   const bool timed = root.find(control_name).has_value();

@@ -51,9 +51,9 @@ struct CheckRecord {
 /// Tells whether any candidate of a side has times.
 bool has_times(const Record& side);
 
-/// Parses a check and checks all that a verdict relies on: both sides are records and have the same
-/// candidates, and a candidate that is right on both was timed where any was, and counted where any
-/// was. Throws InputError, naming the place, UnsupportedVersion or MixedRecord.
+/// Parses a check and checks all that a verdict relies on. Both sides are records and have the same
+/// candidates. A candidate that is right on both has times where any has, and counts where any has.
+/// Throws InputError, naming the place, UnsupportedVersion or MixedRecord.
 CheckRecord parse_check(std::string_view text, const std::string& file = "check");
 
 /// Reads and parses a file, plain or gzip. Throws as parse_check(), or UnreadableRecord.

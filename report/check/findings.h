@@ -12,9 +12,9 @@
 
 namespace desmo::report {
 
-/// Limits of the ratio time of head / time of base without an alarm, ≤. An alarm is raised when the
-/// median is above max_change and the lower end of its interval above max_certain_change, in two
-/// passes in a row. An improvement is an alarm with base and head exchanged.
+/// Limits of the ratio time of head / time of base without an alarm, ≤. An alarm needs two passes
+/// in which the median is above max_change and the lower end of its interval above
+/// max_certain_change. An improvement is an alarm with base and head exchanged.
 inline constexpr double max_change = 1.05;
 inline constexpr double max_certain_change = 1.02;
 /// Largest width of an interval, upper end / lower end, ≤. A wider interval does not show that

@@ -18,8 +18,8 @@ struct Change {
 Change median_change(std::span<const double> times, std::span<const double> old_times);
 
 /// Returns the probability that the median of a resample of n values, drawn with replacement, is at
-/// most the k-th smallest of them. No resample is drawn: the median is so exactly when at least
-/// half of the n draws fall on the k smallest, which has a binomial probability (Efron, 1979). With
+/// most the k-th smallest of them. No resample is drawn: this is the case exactly when at least
+/// half of the n draws fall on the k smallest. That has a binomial probability (Efron, 1979). With
 /// an even n the median is the lower of the two values in the middle.
 double median_at_most(std::size_t k, std::size_t n);
 

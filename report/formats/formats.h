@@ -26,10 +26,11 @@ std::string front_to_terminal(const Document& document);
 /// formula begins with an apostrophe.
 std::string to_csv(const Table& table);
 
-/// Returns a document as one JSON object: "title" and "sections", each with "chapter", "title",
-/// "paragraphs", "definitions" and "tables", each with "name", "title", "notes" and "rows". A row
-/// is an object by column: a text or a number, or for a column with quantities an object of these,
-/// null where there is none, with a "note" in place of a number (FAILED, —) or about it.
+/// Returns a document as one JSON object with "title" and "sections":
+/// - a section has "chapter", "title", "paragraphs", "definitions" and "tables"
+/// - a table has "name", "title", "notes" and "rows"
+/// - a row has a value for each column: a text, a number, or an object of quantities
+/// A missing quantity is null. "note" has the text in place of a number (FAILED, —) or about it.
 std::string to_json(const Document& document);
 
 /// Returns a document as Markdown in GitHub's dialect.

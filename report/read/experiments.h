@@ -74,7 +74,7 @@ struct ModelledTime : TimedSize {
 
 /// Instructions of a step, with as many Newton iterations as it takes.
 struct StepCount {
-  std::int64_t instructions = 0;  ///< mean over the steps
+  std::int64_t instructions = 0;  ///< mean number of instructions of a step
   std::int64_t steps = 0;         ///< number of steps that were counted
   std::string tool;               ///< counting program, and versions that counts depend on
 };

@@ -1,7 +1,7 @@
-// The readers of the parts of a record. All throw InputError, naming the place, unless everything
-// is given once, keys that are required are there, times are above zero, and what is "ok" has its
-// verification or error. A measurement whose verification exceeds `record.settings.allowed` becomes
-// a failure that says so and has no time.
+// The readers of the parts of a record. All throw InputError, naming the place, for what is given
+// twice, a missing key, a time that is not above zero, and an "ok" without verification or error. A
+// measurement whose verification exceeds `record.settings.allowed` becomes a failure that says so
+// and has no time.
 #pragma once
 
 #include <functional>

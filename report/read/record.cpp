@@ -68,10 +68,10 @@ Record read_environment(const RecordValue& node) {
   return record;
 }
 
-/// Throws MixedRecord unless all was measured on one machine, and all of a case and size has one
+/// Throws MixedRecord unless all was measured on one machine. All of a case and size must have one
 /// model, and one set of results for each request.
 void require_one_origin(const Record& record) {
-  using Place = std::pair<CaseSize, std::string>;  // with "model", or "results" and a request
+  using Place = std::pair<CaseSize, std::string>;  // second: "model", or "results" and a request
   std::map<Place, std::pair<std::string, std::string>> first;  // digest, and name of its candidate
   const auto agree = [&](const CandidateKey& key, const std::string& what,
                          const std::optional<std::string>& digest, const std::string& problem) {

@@ -102,10 +102,10 @@ struct Record {
   std::map<std::string, std::string> libraries;
   Blas blas;
   RecordSettings settings;
-  std::vector<std::pair<std::string, std::string>> provenance;  ///< all of the head, as text
+  std::vector<std::pair<std::string, std::string>> provenance;  ///< leaves() of the head
   // paper; candidates by the wall clock stand apart, so that no table mixes the two clocks
-  std::map<CandidateKey, Measurement> candidates;  ///< by the CPU clock; with verification when ok
-  std::map<CandidateKey, Measurement> wall_candidates;  ///< by the wall clock; likewise
+  std::map<CandidateKey, Measurement> candidates;       ///< by CPU clock; verified when ok
+  std::map<CandidateKey, Measurement> wall_candidates;  ///< by wall clock; verified when ok
   std::map<CandidateKey, Profile> profiles;
   std::vector<MeasuredRequest> requests;  ///< requests by the CPU clock, in the record's order
   std::vector<Peer> peers;                ///< peers, by the CPU clock, in the record's order
@@ -143,12 +143,14 @@ inline bool has_paper(const Record& record) {
          !record.wall_candidates.empty();
 }
 
-/// Parses a record and checks all that the report relies on: the schema's name and major version,
-/// required keys, types, times above zero, the verification of every "ok" candidate, request, peer
-/// and size, as many windows as it says, nothing given twice, one machine, one model for each case
-/// and size with one set of results. What exceeds `record.settings.allowed` becomes a failure that
-/// says so and has no time. Unknown keys are ignored, so that a record with a newer minor version
-/// is read. Throws InputError, or MixedRecord.
+/// Parses a record and checks all that the report relies on:
+/// - the schema's name and major version, required keys, types, nothing given twice
+/// - times above zero, as many windows as the settings say
+/// - a verification of every "ok" candidate, request, peer and size
+/// - one machine, and for each case and size one model and one set of results
+/// What exceeds `record.settings.allowed` becomes a failure that says so and has no time. Unknown
+/// keys are ignored, so that a record with a newer minor version is read. Throws InputError, or
+/// MixedRecord.
 Record parse_record(std::string_view text, const std::string& file = "record");
 
 /// Reads a record from a parsed document, of which it may be a part. Throws as parse_record().

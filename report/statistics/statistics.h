@@ -61,11 +61,10 @@ inline constexpr double max_conclusive_width = 0.05;
 struct SpeedUp {
   double value = 0;  ///< ratio S of the times
   /// Limits of the ratio, by what both sides have:
-  /// - a time without the best repetition: low takes that of the variant, high that of the
-  ///   reference, each with the other's time; they are close where two repetitions or more agree
-  /// - least times of as many timing windows, two or more: the 95 % interval of a ratio of sums
-  /// over
-  ///   pairs of windows, by Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6)
+  /// - without_best: low takes that of the variant, high that of the reference, each with the
+  ///   other's time; they are close where two repetitions or more agree
+  /// - least times of as many timing windows, two or more: the 95 % interval of a ratio of sums,
+  ///   from pairs of windows, by Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6)
   /// - neither: low is the reference's least sample divided by the variant's largest, high the
   ///   reference's largest divided by the variant's least
   double low = 0;
@@ -86,8 +85,8 @@ struct SpeedUp {
 /// - else of the medians
 SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant);
 
-/// Returns the arithmetic mean of each member over sizes, one or more, as in the last row of the
-/// paper's table 2, also of percentages. It has an interval if all sizes have one.
+/// Returns the arithmetic mean of each member, also of percentages, as in the last row of the
+/// paper's table 2. It has an interval if all sizes have one. sizes: one or more.
 SpeedUp mean(std::span<const SpeedUp> sizes);
 
 /// Exponent of t = c n^slope, fitted by least squares to log t as a function of log n.

@@ -42,8 +42,8 @@ struct Choice {
       *global;  ///< fastest point of the usual reference with the paper's settings
 };
 
-/// Shows for each of the accuracies and each case the fastest point that solves every instant, and,
-/// where an interpolating one is faster, the fastest of all.
+/// Shows for each case and each of the accuracies the fastest point that solves every instant.
+/// Where an interpolating point is faster, a row for that point follows.
 Table accuracy_costs(const Record& record) {
   Table table = headed_table("accuracy_costs");
   for (const SeriesKey& series : drawn_series(record)) {
@@ -66,7 +66,7 @@ Table accuracy_costs(const Record& record) {
 }
 
 constexpr double accuracy = 1e-9;  // limit of the position error in the table of guesses, ≤
-constexpr std::array updates{"newton", "step", "chord"};  // "chord" in earlier records only
+constexpr std::array updates{"newton", "step", "chord"};  // only earlier records have "chord"
 
 bool is_tried(const Points& points, std::string_view update) {
   return std::ranges::any_of(points, [&](const NamedPoint* point) {
@@ -83,9 +83,9 @@ std::string stop_of(const Configuration& c) {
   return text.empty() ? sentence("costs.usual_stop") : text;
 }
 
-/// Adds the rows of a case: the usual reference with each guess and Jacobian update, and its
-/// speed-ups relative to two others: the same with all of the paper's settings, and the same with
-/// the paper's guess and update at the stop that is fastest within the accuracy.
+/// Adds the rows of a case: the usual reference with each guess and Jacobian update, and two
+/// speed-ups. One is relative to the same with all of the paper's settings. The other is relative
+/// to the same with the paper's guess and update, at the stop that is fastest within the accuracy.
 void add_case(Table& table, const SeriesKey& series, const Points& points) {
   const NamedPoint* paper = nullptr;
   for (const NamedPoint* point : points)
@@ -124,8 +124,8 @@ Table guesses(const Record& record) {
   return table;
 }
 
-/// Returns the short section. For the last case it tells what the tightest accuracy costs that both
-/// the fastest formulation and the usual reference reach, and what the loosest would save.
+/// Returns the short section, on the last case. It tells what the tightest accuracy costs that the
+/// usual reference reaches as well, and what the loosest would save.
 Section accuracy_front(const Record& record) {
   const SeriesKey series = drawn_series(record).back();
   const Points points = solving_every_instant(points_of(record, series));

@@ -1,6 +1,6 @@
 // The answer of the benchmark: what the paper found, what this record says of it, and the best
-// formulations of one thread, compared with the fastest global reference with the same guess and
-// tolerance (like for like).
+// formulations of one thread. *Like for like* means: compared with the fastest global reference
+// that has the same guess and tolerance.
 #include <algorithm>
 #include <array>
 
@@ -137,8 +137,9 @@ std::string list(const std::vector<Mean>& means) {
   return text.empty() ? sentence("answer.not_measured") : text;
 }
 
-/// Tells whether the means of different sparse solvers differ by a factor of 1.5 or more, and the
-/// best formulation by groups or blocks is faster than its reference, like for like.
+/// Tells whether the record shows the benchmark's finding:
+/// - means with different sparse solvers differ by a factor of 1.5 or more
+/// - the best formulation by groups or blocks has a speed-up above 1, like for like
 bool shows_the_finding(const Record& record) {
   const std::vector<Mean> means = complete_means(record);
   const auto value = [](const Mean& mean) { return mean.speed_up.value; };

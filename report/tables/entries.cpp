@@ -64,7 +64,7 @@ Entry ratio_entry(const SpeedUp& ratio, bool with_percent) {
   }
   if (with_percent) {
     const bool shown =
-        ratio.has_interval && ratio.percent >= 0;  // of a slower variant the ratio says enough
+        ratio.has_interval && ratio.percent >= 0;  // a slower variant has no percentage
     digits.push_back(shown ? write_fixed(ratio.percent, 1) : "");
     if (shown) form += " ({} %)";
   }

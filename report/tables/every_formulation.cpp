@@ -61,8 +61,8 @@ Table formulations_at(const Record& record, const CaseSize& place) {
 
 }  // namespace
 
-// Of each case the table of the paper's largest size, or of the case's largest where that is
-// missing, is shown; the others are details.
+// Tables are details, except for one of each case: that of the paper's largest size, or of the
+// case's largest where that is missing.
 Section every_formulation(const Record& record) {
   Section section = headed_section("formulations");
   for (const auto& [name, sizes] : recorded_sizes(record.candidates)) {

@@ -1,5 +1,5 @@
-// Tables 1 and 2 of the paper, CPU seconds and S = t_global / t_topological, and the data of
-// figures 5 and 6, which the designs in report/figures draw.
+// Tables 1 and 2 of the paper: CPU seconds, and S = t_global / t_topological. The data of figures 5
+// and 6, which the designs in report/figures draw.
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -37,11 +37,11 @@ void add_both(Table& table, std::vector<Entry> ours, std::vector<Entry> paper) {
 Entry published_seconds_entry(const std::string& row, const PaperVariant& variant) {
   const std::string digits = published(published_cpu_seconds, row, variant.paper_name);
   if (digits.empty()) return note_entry(missing_mark);
-  return read_number(digits) ? digits_entry(digits) : note_entry(digits);  // "<<0.015"
+  return read_number(digits) ? digits_entry(digits) : note_entry(digits);  // no number: "<<0.015"
 }
 
-/// Returns the speed-up that the paper prints of a variant in a row of its table 2, with the
-/// quantities {speed_up, low, high, percent}, of which low and high are missing.
+/// Returns the speed-up that the paper prints of a variant in a row of its table 2. Of the
+/// quantities {speed_up, low, high, percent}, low and high are missing.
 Entry published_speed_up_entry(const std::string& row, const PaperVariant& variant,
                                bool with_percent = true) {
   const std::string value = published(published_speed_up, row, variant.paper_name);

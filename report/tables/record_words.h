@@ -24,7 +24,7 @@ std::string commit_of(const Record& record);
 TextValues timed_words(const Record& record, const TextValues& more = {});
 
 /// Words that tell our values from the paper's: "ours" and "paper" when both motions last equally
-/// long, "ours, 2 s" and "paper, 30 s" when they do not.
+/// long, else "ours, 2 s" and "paper, 30 s".
 struct Sources {
   std::string ours;
   std::string paper;

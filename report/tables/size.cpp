@@ -1,5 +1,5 @@
-// Tables of size: how the time of a step grows with the number of coordinates, up to which size the
-// growth is linear, and from how many unknowns on sparse matrices are faster than dense ones.
+// Tables of size: how the time of a step grows with the number of coordinates, and from how many
+// unknowns on sparse matrices are faster than dense ones.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -19,10 +19,12 @@ double zero_between(const SizeOfBoth& a, const SizeOfBoth& b) {
   return a.n * std::pow(b.n / a.n, a.d / (a.d - b.d));
 }
 
-/// Returns the entry "66 [61, 76]": the number of unknowns from which on sparse matrices are
-/// faster, interpolated in log t as a function of log n, the size before the first break-even, and
-/// the size after the last one. It has words where the sparse curve is faster at every size, or the
-/// dense one at the largest.
+/// Returns the entry of a break-even size, such as "66 [61, 76]".
+/// - 66: number n of unknowns from which on sparse matrices are faster, by interpolation of log t
+///   as a function of log n
+/// - 61, 76: the size before the first break-even, and the size after the last one
+/// The entry has words where the sparse curve is faster at every size, or the dense one at the
+/// largest.
 Entry break_even_entry(const Curve& dense, const Curve& sparse) {
   const std::vector<SizeOfBoth> all = sizes_of_both(dense, sparse);
   if (all.empty()) return note_entry(missing_mark);
@@ -34,7 +36,7 @@ Entry break_even_entry(const Curve& dense, const Curve& sparse) {
   for (std::size_t i = 1; i < all.size(); ++i) {
     if ((all[i - 1].d > 0) == (all[i].d > 0)) continue;
     if (low.empty()) low = write_shortest(all[i - 1].n);
-    unknowns = write_fixed(zero_between(all[i - 1], all[i]), 0);  // that of the last interval stays
+    unknowns = write_fixed(zero_between(all[i - 1], all[i]), 0);  // the last one is kept
     high = write_shortest(all[i].n);
   }
   if (low.empty()) return in_words("break_even.sparse", all.front().n);

@@ -23,13 +23,11 @@ double seconds_of(const NamedPoint* point) {
   return is_solved(*point) ? step_seconds(*point) : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the points that are drawn:
-/// - of each formulation and scalar, with and without interpolation, the solved points with a
-/// smaller
-///   error than all faster ones
-/// - solved points with the paper's settings
+/// Returns the points that are drawn. points: the fastest first.
+/// - solved ones with a smaller error than all faster ones of the same formulation and scalar;
+///   those that interpolate are compared among themselves
+/// - solved ones with the paper's settings
 /// - all that failed
-/// points: the fastest first.
 Points drawn(Points points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::map<std::tuple<std::string, std::string, bool>, double> least;

@@ -10,7 +10,7 @@ namespace desmo::report {
 
 /// The form of a number. It is chosen for one value and used for its spread, too.
 struct DigitStyle {
-  bool scientific = false;  ///< with an exponent
+  bool scientific = false;  ///< it has an exponent
   int decimals = 0;         ///< number of digits after the point
 };
 
