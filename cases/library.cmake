@@ -1,4 +1,4 @@
-# Mechanisms of cases/library and scenes of cases/requests: the program carries their texts.
+# Embeds the mechanisms of cases/library and the scenes of cases/requests in the program.
 set(library_mechanisms
   andrews delta double_wishbone inverted_slider_crank jansen_leg macpherson rssr slider_crank
   stephenson_six_bar stewart truck_axle watt_six_bar whitworth)

@@ -118,8 +118,7 @@ struct SiteCommand {
 
 ExitCode site(const SiteCommand& command) {
   const auto pages = make_site(command.results);
-  for (const auto& [folder, files] :
-       std::views::reverse(pages))  // the index, which links to the others, is last
+  for (const auto& [folder, files] : std::views::reverse(pages))  // the index is last: it has links
     write_files(std::filesystem::path(command.folder) / folder, files);
   return success;
 }

@@ -35,8 +35,7 @@ void refuse_coupling(const JsonValue& value, const DisplayUnits& units) {
 Mechanism::JointType read_type(const JsonValue& value, int dimension, const DisplayUnits& units) {
   refuse_coupling(value, units);
   const auto form = std::ranges::find(joint_forms(), value.text(), &JointForm::name);
-  if (form != joint_forms().end())
-    return form->type;  // validate() refuses a type of another dimension
+  if (form != joint_forms().end()) return form->type;  // validate() checks the dimension
   std::vector<std::string_view> names;
   for (const JointForm& known : joint_forms())
     if (known.dimension == dimension) names.push_back(known.name);

@@ -33,8 +33,7 @@ std::string followed(fs::path path) {
   std::error_code error;
   for (int links = 0; fs::is_symlink(path, error); ++links) {
     if (links == max_links) return "";
-    path =
-        path.parent_path() / fs::read_symlink(path, error);  // links are relative to their folder
+    path = path.parent_path() / fs::read_symlink(path, error);  // relative to the link's folder
   }
   return path.string();
 }

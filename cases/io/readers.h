@@ -117,7 +117,7 @@ Mechanism::Coordinate read_coordinate(const JsonValue& value, int dimension,
 /// Reads couplings. Factors of sums are made those of lengths in metres (or the free unit) and
 /// angles in radians, up to a common factor. Numbers of tables keep their units, which their
 /// factors state.
-/// - mechanism: has its coordinates
+/// - mechanism: its coordinates have been read
 std::vector<Mechanism::Coupling> read_couplings(const JsonValue& root, const Mechanism& mechanism,
                                                 const DisplayUnits& units, const Names& names,
                                                 NamedFiles& files);

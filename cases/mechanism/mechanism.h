@@ -100,8 +100,9 @@ struct Mechanism {
   struct Joint {
     std::string name;  ///< unique among joints; name_joints() gives one where it is empty
     JointType type;
-    std::array<int, 2> bodies;         ///< indices of the first and the second body
-    std::vector<int> points, vectors;  ///< entities as JointType lists them, shared ones first
+    std::array<int, 2> bodies;  ///< indices of the first and the second body
+    /// Entities as JointType lists them: shared ones, the first body's, then the second's.
+    std::vector<int> points, vectors;
     /// Returns the line from the first of the joint's points to the second. It must have two.
     Direction line() const { return {none, points[0], points[1]}; }
   };

@@ -31,7 +31,7 @@ struct Compensated {
   friend Compensated operator+(const Compensated& a, const Compensated& b) {
     const S sum = a.value + b.value;
     const S of_b = sum - a.value;
-    const S remainder = (a.value - (sum - of_b)) + (b.value - of_b);  // exact sum (Knuth)
+    const S remainder = (a.value - (sum - of_b)) + (b.value - of_b);  // exact: what `sum` lost
     const S before = a.correction + b.correction;
     const S correction = before + remainder;
     return {sum, correction, bound(a.radius + b.radius, size(before) + size(correction))};
@@ -39,7 +39,7 @@ struct Compensated {
   friend Compensated operator*(const Compensated& a, const Compensated& b) {
     using std::fma;
     const S product = a.value * b.value;
-    const S remainder = fma(a.value, b.value, -product);  // exact product − rounded
+    const S remainder = fma(a.value, b.value, -product);  // exact: what `product` lost
     const S half = fma(b.value, a.correction, remainder);
     const S correction = fma(a.value, b.correction, half);
     const S of_a = size(a.correction) + a.radius, of_b = size(b.correction) + b.radius;

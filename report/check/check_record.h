@@ -42,8 +42,8 @@ struct CheckRecord {
   std::optional<Record> base;  ///< none when head was counted alone
   Record head;                 ///< its samples are those of the first pass, one for each round
   Rounds control;              ///< times of the control in the first pass
-  std::map<std::string, Rounds>
-      second;  ///< second pass by name_of() the candidate, and by control_name; may be empty
+  /// Times of the second pass, by name_of() the candidate, and by control_name; may be empty.
+  std::map<std::string, Rounds> second;
   std::optional<Work> work;  ///< none: nothing was counted
   std::string slowed;  ///< what was made slower on purpose, SIDE:CANDIDATE:PERCENT; empty: nothing
 };

@@ -19,7 +19,7 @@ bool beyond(double ratio, double limit) { return ratio > limit || ratio < 1 / li
 
 bool is_wide(const Change& c) { return c.high / c.low > max_interval_width; }
 
-// Returns whether a change that is no alarm does not show either that nothing has changed.
+// Returns whether a change that is no alarm is too large or too uncertain to count as none.
 bool is_undecided(const Change& c) { return is_wide(c) || beyond(c.ratio, max_change); }
 
 using Pass = std::map<std::string, Rounds>;  // by name_of() the candidate, and by control_name

@@ -12,8 +12,8 @@ std::string markdown_text(const std::string& text) {
   return escaped(text, escapes);
 }
 
-constexpr std::size_t max_unbroken =
-    40;  // number of characters without a blank at which an entry is left unbroken, ≤
+// Largest number of characters without a blank in an entry that is left unbroken.
+constexpr std::size_t max_unbroken = 40;
 
 /// Returns the text of an entry. Where a word is too long, as an id with many settings, a line ends
 /// before each "/": no column may be wider than a page.

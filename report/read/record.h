@@ -47,10 +47,10 @@ struct RecordSettings {
   double step_seconds = 0;      ///< time between two instants [s]
   double duration_seconds = 0;  ///< duration of the motion [s]
   std::int64_t instants = 0;    ///< number of instants of one analysis
-  std::optional<LevelNumbers>
-      allowed;  ///< largest differences from the reference, ≤; none: no limit
-  std::optional<std::int64_t>
-      windows;  ///< number of timing windows of the motion; none: no windows
+  /// Largest differences from the reference, ≤; none: no limit.
+  std::optional<LevelNumbers> allowed;
+  /// Number of timing windows into which the motion is cut; none: no windows.
+  std::optional<std::int64_t> windows;
 };
 
 /// The key of a candidate, unique in a record. Ordered by case, size and id.
@@ -113,9 +113,8 @@ struct Record {
   std::map<SeriesKey, Floor> floors;  ///< one for every series that has points
   std::map<PointKey, Point> points;   ///< time against error
   // size
-  std::map<CandidateKey, TimedSize> growth;  ///< time against number of coordinates
-  std::map<CandidateKey, TimedSize>
-      break_even;  ///< dense and sparse solvers at numbers of unknowns
+  std::map<CandidateKey, TimedSize> growth;      ///< time against number of coordinates
+  std::map<CandidateKey, TimedSize> break_even;  ///< time of dense and sparse solvers
   // modelling
   std::map<CandidateKey, ModelledTime> modelled;  ///< ids name the kind of coordinates
   // instructions

@@ -40,8 +40,7 @@ inline constexpr std::array<PaperVariant, 7> paper_variants{
      {"TS-TPS_MA27", "truck_suspension", "group_symbolic_<sparse>"},
      {"TS-TPS_LAP", "truck_suspension", "group_symbolic_lapack"}}};
 
-inline constexpr const PaperVariant& truck_global =
-    paper_variants[2];  ///< reference of table 2's speed-ups
+inline constexpr const PaperVariant& truck_global = paper_variants[2];  ///< reference of table 2
 inline constexpr std::string_view truck_case = truck_global.case_name;
 /// The variants in the columns of table 2, which stand after their reference in paper_variants.
 inline constexpr std::span<const PaperVariant> topological = std::span(paper_variants).subspan(3);
