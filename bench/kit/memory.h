@@ -15,7 +15,7 @@ void run_on_fresh_heap(const std::function<void()>& work);
 
 /// Keeps freed memory in the process. Otherwise large blocks that UMFPACK frees after each
 /// factorisation go back to the system, and page faults are timed when they are needed again.
-/// Whether that happens depends on what ran before.
+/// It depends on what ran before whether that happens.
 void keep_freed_memory();
 
 /// Returns the bytes that are allocated on the heap at this moment. Unlike the size of the process

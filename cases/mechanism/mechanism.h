@@ -170,7 +170,7 @@ struct Mechanism {
 };
 
 /// Names each joint that has no name: type/first body/second body, such as `revolute/crank/rod`.
-/// Where that name is taken, the least free number from 2 on is added: `revolute/crank/rod/2`.
+/// Adds the least free number from 2 on to a name that is taken: `revolute/crank/rod/2`.
 /// Readers of files and MechanismBuilder::release() call this function.
 void name_joints(Mechanism& mechanism);
 

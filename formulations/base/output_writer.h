@@ -30,7 +30,7 @@ class OutputWriter {
   /// then view the output. On entry they view all coordinates.
   void write(Instant& instant) const;
   /// Hands an instant to an observer: the requested coordinates in memory that the observer lends.
-  /// Where it lends none, hands over all coordinates in the instant's own memory.
+  /// Hands over all coordinates in the instant's own memory if the observer lends none.
   Flow hand_over(const Instant& instant, Observer& observer) const;
 
  private:

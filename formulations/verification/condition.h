@@ -11,7 +11,7 @@ namespace desmo {
 /// Evaluator of the condition number of all equations of a model at a position: ‖A⁻¹‖∞ of
 /// A = R⁻¹ Φ_φ S. S holds the nominal magnitudes of the unknowns: 1 for angles and directions, the
 /// mechanism's size for points and distances. R holds the row sums of |Φ_φ S|, so that ‖A‖∞ = 1.
-/// To first order the number bounds the relative change of position that a relative change of an
+/// The number bounds, to first order, the relative change of position that a relative change of an
 /// equation causes, whatever the units and the partition. The inverse is computed, not estimated:
 /// n solves with sparse LU factors.
 class ConditionNumber {

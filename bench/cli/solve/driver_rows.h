@@ -36,7 +36,7 @@ class DriverRows {
   std::string place() const;
 
  private:
-  /// Where the numbers of a column are stored.
+  /// Place at which the numbers of a column are stored.
   struct Target {
     int level = -1;          // 0: z, 1: ż, 2: z̈; -1: not stored, or the time
     std::size_t driver = 0;  // index in the drivers of `whole`

@@ -59,7 +59,7 @@ struct SampledType {
   /// Some of the samples, at which the first order of pivots is chosen. Few suffice, because the
   /// kernel monitors its pivots. Where they are too small at other samples, further orders follow.
   std::vector<SamplePoint> pivot_samples;
-  /// Whether the kernel has only the first order of pivots. Its caller solves by pivoting what that
+  /// True if the kernel has only the first order of pivots. Its caller solves by pivoting what that
   /// order refuses.
   bool has_one_order = false;
 };

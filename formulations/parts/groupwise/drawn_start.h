@@ -124,8 +124,8 @@ class DrawnStart {
 };
 
 /// Puts a solver that is at the model's estimate where Newton's method is to begin at a time [s].
-/// That is the estimate itself where Newton's method leads from it to the end of the short steps
-/// (DrawnStart), or these are blocked. Otherwise it is the end of the short steps.
+/// Leaves it at the estimate if Newton's method leads from there to the end of the short steps
+/// (DrawnStart), or these are blocked. Otherwise puts it at the end of the short steps.
 template <class Solver>
 void begin_on_drawn_branch(Solver& solver, const Model& m, double time) {
   std::vector<double> drivers;

@@ -41,7 +41,7 @@ struct FoundStart {
 ///   Change points on the way are passed on the smooth continuation (pass_change_point()). The
 ///   motion may begin on one, if its drivers leave that smoothly.
 ///
-/// Where a part is blocked, other equations of overconstrained groups are tried that are
+/// A part that is blocked is tried by other equations of overconstrained groups that are
 /// independent there (with_chosen_equations()), then change points; no other way is sought. A
 /// driver without a finite value blocks the way at 0. Angles that are neither driven nor coupled
 /// are taken within half a turn of the drawing. Positions are rounded: a Refinement at that time

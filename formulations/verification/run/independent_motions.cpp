@@ -85,15 +85,15 @@ struct IndependentMotions::SubmodelMotion {
   Submodel submodel;
   CheckedMotion motion;
   InstantCopy handed_in;
-  std::optional<RowFlag> passed,
-      last_passed;  // the first change point since the last row delivered
+  /// Flag of the first change point since the last delivered row, now and before the last take().
+  std::optional<RowFlag> passed, last_passed;
   /// No path leads on from the last row: try_again() begins at the drawing for each row, until
   /// begin_again().
   bool is_blocked = false;
 
  private:
-  /// Asks a formulation first: a way from the drawing that is blocked costs a hundred times as
-  /// much.
+  /// Returns whether a formulation assembles the mechanism at a time [s]. A way from the drawing
+  /// that is blocked costs a hundred times as much.
   bool can_be_assembled(double time) {
     if (!formulation)
       formulation = make_formulation(find_variant("group_automatic_lapack"), submodel.model);
