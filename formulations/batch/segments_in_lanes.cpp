@@ -9,6 +9,7 @@
 #include "formulations/base/output_writer.h"
 #include "formulations/batch/layout.h"
 #include "formulations/motion/driver_continuation.h"
+#include "formulations/motion/prediction/driver_source.h"
 
 namespace desmo {
 
@@ -99,7 +100,8 @@ bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first
     if (!solve_alone(l, alone_, first.q)) return false;  // this finds the branches
     for (std::size_t k = 0; k < alone_.q.size(); ++k)  // constant coordinates are not solved again
       state_.now().q[k * lanes_ + l] = state_.before().q[k * lanes_ + l] = alone_.q[k];
-    changes_[l] = driver_changes(model_, first, grid.time(l * length));
+    desmo::write_drivers(model_, grid.time(l * length), alone_);
+    changes_[l] = driver_changes(model_, first, alone_);
     steps = std::max(steps, continuation_steps(model_, changes_[l]));
     if (steps > max_continuation_steps) return false;
   }

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "cases/mechanism/motion.h"
 #include "formulations/model/whole_turns.h"
 
 namespace desmo {
@@ -17,12 +16,12 @@ bool whole_turns_count(const Model& m) {
   return std::ranges::find(coupled, true) != coupled.end();
 }
 
-std::vector<double> driver_changes(const Model& m, const State& from, double t) {
+std::vector<double> driver_changes(const Model& m, const State& from, const State& to) {
   const bool turns_count = whole_turns_count(m);
   std::vector<double> changes;
   for (const Driver& d : m.drivers) {
     const Entity& driven = m.entities[d.coordinate];
-    const double change = sample(d.motion, t).position - from.q[driven.first];
+    const double change = to.q[driven.first] - from.q[driven.first];
     const bool is_shortened = driven.kind == EntityKind::angle && !turns_count;
     changes.push_back(is_shortened ? std::remainder(change, 2 * std::numbers::pi) : change);
   }
@@ -95,16 +94,19 @@ void leave_out_turns(const Model& m, std::vector<double>& changes, State& state,
 
 }  // namespace
 
-ContinuationEnd continue_drivers_to(const Model& m, double t, State& state, const Solve& solve) {
+ContinuationEnd continue_drivers_to(const Model& m, const State& to, State& state,
+                                    const Solve& solve) {
   const State start = state;
-  std::vector<double> changes = driver_changes(m, start, t);
+  std::vector<double> changes = driver_changes(m, start, to);
   if (continuation_steps(m, changes) > max_continuation_steps)
     leave_out_turns(m, changes, state, solve);
   if (continuation_steps(m, changes) > max_continuation_steps) return ContinuationEnd::too_long;
   if (move_drivers(m, changes, state, solve)) return ContinuationEnd::reached;
   std::vector<double> whole;  // where the short way is blocked, the long one may not be
-  for (const Driver& d : m.drivers)
-    whole.push_back(sample(d.motion, t).position - start.q[m.entities[d.coordinate].first]);
+  for (const Driver& d : m.drivers) {
+    const int driven = m.entities[d.coordinate].first;
+    whole.push_back(to.q[driven] - start.q[driven]);
+  }
   if (whole == changes || continuation_steps(m, whole) > max_continuation_steps)
     return ContinuationEnd::blocked;
   state = start;

@@ -12,9 +12,9 @@ namespace desmo {
 /// Returns whether a coupling reads an angle, so that whole turns count.
 bool whole_turns_count(const Model& model);
 
-/// Returns how far each driver has to move from a state to where its motion has it at time t [s].
-/// Whole turns of angles are left out, unless couplings count them.
-std::vector<double> driver_changes(const Model& model, const State& from, double t);
+/// Returns how far each driver has to move from one state to where another has it. Whole turns of
+/// angles are left out, unless couplings count them.
+std::vector<double> driver_changes(const Model& model, const State& from, const State& to);
 
 /// Returns the number of steps of a continuation in which none fails. changes: of the drivers, by
 /// driver_changes(). Where couplings count whole turns, drivers turn by at most 0.1 rad in a step.
@@ -31,8 +31,9 @@ enum class ContinuationEnd {
   too_long,  ///< it would take more than max_continuation_steps steps
 };
 
-/// Moves the drivers of a solved state linearly, by driver_changes(), to where their motions have
-/// them at time t [s]. So an instant within a motion is reached without those before it.
+/// Moves the drivers of a solved state linearly, by driver_changes(), to where another state has
+/// them. So an instant within a motion is reached without those before it.
+/// - to: its drivers alone are read
 /// - state: solved; overwritten, on failure with a position on the way
 /// - solve: solves the positions of a state for its drivers, given the last positions; returns
 ///   whether it could. The first call is at the state itself, to find its branches
@@ -41,7 +42,7 @@ enum class ContinuationEnd {
 /// is blocked, the way with them is tried, unless it takes more steps than that. Not for timed
 /// loops.
 ContinuationEnd continue_drivers_to(
-    const Model& model, double t, State& state,
+    const Model& model, const State& to, State& state,
     const std::function<bool(State&, std::span<const double> last)>& solve);
 
 }  // namespace desmo

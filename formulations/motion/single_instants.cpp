@@ -65,7 +65,7 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
     const ContinuationEnd end = continue_to(t);
     if (end == ContinuationEnd::reached) {
       last.q = state.q;
-    } else if (end == ContinuationEnd::too_long && !drivers_.is_live()) {
+    } else if (end == ContinuationEnd::too_long) {
       summary.status = Status::not_converged;
       summary.residual = NAN;
       return summary;
@@ -90,10 +90,17 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
 
 ContinuationEnd TimeStepping::continue_to(double t) {
   const State start = now_.state;
-  const auto solve = [&](State& to, std::span<const double> from) {
-    return sequence_.solve_positions(to, from);
+  State to = start;
+  if (drivers_.is_live()) {
+    drivers_.sample(t, to);
+    drivers_.write_all(to);
+  } else {
+    write_drivers(model(), t, to);
+  }
+  const auto solve = [&](State& state, std::span<const double> from) {
+    return sequence_.solve_positions(state, from);
   };
-  const ContinuationEnd end = continue_drivers_to(model(), t, now_.state, solve);
+  const ContinuationEnd end = continue_drivers_to(model(), to, now_.state, solve);
   if (end != ContinuationEnd::reached) now_.state = start;
   return end;
 }

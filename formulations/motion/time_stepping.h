@@ -105,8 +105,8 @@ class TimeStepping final : public Formulation {
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
   Summary sub_step(double from, double t, Level level, int max_sub_steps, Summary total);
   Summary assemble_from_estimate(double t, Level level);
-  /// Continues the present positions to where the model's motions have the drivers at time t [s]:
-  /// see continue_drivers_to(). Restores the state where that is not possible.
+  /// Continues the present positions to where the drivers are at time t [s]: see
+  /// continue_drivers_to(). Restores the state where that is not possible.
   ContinuationEnd continue_to(double t);
   void note_failure(int part);
   void find_culprit_of_failure(Summary& summary) const;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/io/files.h"
+#include "cases/mechanism/builder.h"
 #include "formulations/id.h"
 #include "formulations/verification/run/live_run.h"
 #include "tests/checked/driver_row.h"
@@ -164,6 +165,30 @@ TEST(LiveRun, RefusesWhatWouldTakeTooLong) {
     EXPECT_EQ(s.outcome(), turns == 1 ? Outcome::converged : Outcome::failed) << describe(s, m);
     EXPECT_LE(s.path.tests, 65);
     EXPECT_EQ(s.is_unreached(), turns == 20);
+  }
+}
+
+/// The first row is assembled with the turns that lead to it from the drawing, whatever motions the
+/// model has: they are at 1000 rad and at 0 rad.
+TEST(LiveRun, CountsTheTurnsOfTheFirstRowWithoutChecks) {
+  MechanismBuilder d("gears", 2);
+  const int o = d.point("O", {0, 0}), a = d.point("A", {1, 0}), b = d.point("B", {0, 1}),
+            p = d.point("P", {3, 0}), c = d.point("C", {4, 0});
+  d.carry(MechanismBuilder::ground, {o, p});
+  const int crank = d.body("crank", {o, a, b}), wheel = d.body("wheel", {p, c});
+  d.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, crank, {o});
+  d.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, wheel, {p});
+  d.angle("a", {-1, o, a}).driven = true;
+  d.angle("b", {-1, o, b});
+  d.angle("c", {-1, p, c});
+  d.couple("gears", {{1, 1}, {2, -2}});
+  const Model m = model_mechanism(d.release(), {Polynomial{{0, 1}}}).model;
+  const auto f = make_formulation(find_variant("group_automatic_lapack"), m);
+  LiveRun run(*f, {.level = Level::position, .check = CheckMode::none});
+  for (const auto& [time, angle] : {std::pair(1000., 0.1), {0., 100.1}}) {
+    run.restart();
+    ASSERT_EQ(run.step({time, std::span(&angle, 1)}).outcome(), Outcome::converged);
+    EXPECT_NEAR(m.value("c", run.q()), angle / 2, 1e-9);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "cases/mechanism/builder.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/motion/driver_continuation.h"
+#include "formulations/motion/prediction/driver_source.h"
 #include "formulations/motion/sub_steps.h"
 #include "tests/mechanisms.h"
 
@@ -37,8 +38,10 @@ struct Followed {
     const int driver = m.entities[m.drivers[0].coordinate].first;
     const std::vector<double> zeros(m.state_size());
     State state{m.state_of(m.estimate), zeros, zeros};
-    const double way = sample(m.drivers[0].motion, 0.0).position - state.q[driver];
-    end = continue_drivers_to(m, 0, state, [&](State& to, std::span<const double> last) {
+    State target = state;
+    write_drivers(m, 0, target);
+    const double way = target.q[driver] - state.q[driver];
+    end = continue_drivers_to(m, target, state, [&](State& to, std::span<const double> last) {
       const double share = (to.q[driver] - last[driver]) / way;
       if (share > longest) return false;
       ++steps;
