@@ -15,6 +15,7 @@ struct Misfit {
   double amount = 0;
   /// true: amount is in the model's unit of length; false: in [1] or [rad]
   bool is_length = false;
+  double relative = 0;  ///< in checked runs over() the equation's length, by which misfits compare
 
   /// Returns the amount divided by a length of the equation; without lengths, the amount itself.
   double over(double length) const { return is_length ? amount / length : amount; }

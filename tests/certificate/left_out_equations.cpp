@@ -175,18 +175,17 @@ TEST(LeftOutEquations, OfAShapeOnTheGroundAreNoneToChoose) {
   EXPECT_FALSE(has_other_equations(m));
 }
 
-/// What a drawing may leave, 1e-4 of the lengths of an equation's points, is no contradiction.
-TEST(LeftOutEquations, AreContradictedByMoreThanDigitsLeave) {
-  const Model m = make_model(parallel_cranks(1.1L, 17, true));
-  const LeftOutEquations left_out(m);
-  const auto c =
-      std::ranges::find_if(m.constraints, [](const Constraint& c) { return c.left_out != 0; });
-  const int constraint = static_cast<int>(c - m.constraints.begin());
-  const double length = CharacteristicLengths(m).of(*c);
-  for (const double share : {1. / 3, 3.}) {
-    EXPECT_EQ(left_out.is_contradiction({constraint, share * 1e-4 * length, true}), share > 1);
-    EXPECT_EQ(left_out.is_contradiction({constraint, share * 1e-4, false}), share > 1);
-  }
+/// A small amount of a short length may be worse than a larger one of an angle.
+TEST(LeftOutEquations, CompareMisfitsOverTheirLengths) {
+  const Model m = make_model(parallel_cranks(1.1L, 17, true, 1e-8));
+  const Misfit found = find(m, {0.5}).largest;
+  EXPECT_EQ(found.relative,
+            found.over(CharacteristicLengths(m).of(m.constraints[found.constraint])));
+  LeftOutEquations left_out(m);
+  const Misfit length{0, 1e-9, true, 1e-6}, angle{1, 1e-7, false, 1e-7};
+  for (const Misfit& misfit : {angle, length, angle})
+    left_out.note(LeftOutEquations::Between{misfit, 0});
+  EXPECT_TRUE(left_out.between()->misfit.is_length);
 }
 
 /// The enclosure of what holds grows with about the sixth power of the step: a step of 0.72 rad

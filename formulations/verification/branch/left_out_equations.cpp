@@ -95,25 +95,20 @@ std::optional<Misfit> LeftOutEquations::check(const RefinedInstant& refined,
   const std::span<const double> known = find_radius(refined.instant, drivers);
   std::ranges::copy(q, state_.begin());
   std::optional<Misfit> worst;
-  double largest = 0;  // of misfits over lengths
   for (std::size_t i = 0; i < equations_.size(); ++i) {
-    const Equation& e = equations_[i];
-    const Interval phi = residual(e, q, known);
-    if (!fails(phi) || !(relative(i, phi.mid) > largest)) continue;
-    largest = relative(i, phi.mid);
-    worst = misfit_of(m_, e.constraint, e.row, phi.mid, state_);
+    const Interval phi = residual(equations_[i], q, known);
+    if (!fails(phi)) continue;
+    const Misfit found = misfit(i, phi.mid);
+    if (found.relative > (worst ? worst->relative : 0)) worst = found;
   }
   return worst;
 }
 
-double LeftOutEquations::relative(std::size_t i, double residual) const {
+Misfit LeftOutEquations::misfit(std::size_t i, double residual) const {
   const auto& [constraint, row] = equations_[i];
-  return misfit_of(m_, constraint, row, residual, state_).over(length_[i]);
-}
-
-bool LeftOutEquations::is_contradiction(const Misfit& misfit) const {
-  const auto equation = std::ranges::find(equations_, misfit.constraint, &Equation::constraint);
-  return misfit.over(length_[equation - equations_.begin()]) > max_misfit;
+  Misfit result = misfit_of(m_, constraint, row, residual, state_);
+  result.relative = result.over(length_[i]);
+  return result;
 }
 
 bool LeftOutEquations::look_along(const PathProof& step) {
@@ -128,7 +123,7 @@ bool LeftOutEquations::look_along(const PathProof& step) {
       x.rest = step.radius()[k];
       return x;
     });
-    const bool is_long = !(relative(i, phi.magnitude()) <= max_misfit);
+    const bool is_long = !(misfit(i, phi.magnitude()).relative <= max_misfit);
     const auto is_missed = [&](double s) { return std::abs(value_at(phi.c, s)) > phi.rest; };
     if (!is_long && std::ranges::none_of(looks, is_missed)) continue;
     if (!is_told_at(i, step, worst_place(i, step)) && is_long) return false;
@@ -166,14 +161,14 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
   for (std::size_t k = 0; k < drivers_.size(); ++k)
     drivers_[k] = point.instant.q[m_.entities[m_.drivers[k].coordinate].first];
   const LiveRow drivers{.time = point.instant.time, .z = drivers_};
-  if (const std::optional<Misfit> misfit = check(point, &drivers)) {
-    note(Between{*misfit, point.instant.time});
+  if (const std::optional<Misfit> found = check(point, &drivers)) {
+    note(Between{*found, point.instant.time});
     return true;
   }
   // No misfit is proven at the point. If its own digits leave half of max_misfit open, a shorter
   // step does not help.
   const Interval phi = residual(equations_[i], point.instant.q, point.radius.position);
-  return !(relative(i, phi.magnitude()) <= max_misfit / 2);
+  return !(misfit(i, phi.magnitude()).relative <= max_misfit / 2);
 }
 
 std::span<const double> LeftOutEquations::find_radius(const Instant& instant,

@@ -49,19 +49,16 @@ class LeftOutEquations {
     double time;
   };
 
-  /// Returns whether a misfit over the length of its equation exceeds `max_misfit`, so that
-  /// modelling would refuse it in a drawing.
-  bool is_contradiction(const Misfit& misfit) const;
-
   /// Looks for misfits along a step that was just proven, and notes the largest. Returns false if
   /// the step is too long to tell.
   bool look_along(const PathProof& step);
   /// Returns and forgets the noted misfit. Driver values count as exact where it was found.
   std::optional<Between> take_between() { return std::exchange(between_, {}); }
   const std::optional<Between>& between() const { return between_; }
-  /// Notes a misfit that was found along a step, if its amount exceeds that of the noted one.
+  /// Notes a misfit that was found along a step, if it exceeds the noted one (Misfit::relative).
   void note(const std::optional<Between>& found) {
-    if (found && (!between_ || found->misfit.amount > between_->misfit.amount)) between_ = found;
+    if (found && (!between_ || found->misfit.relative > between_->misfit.relative))
+      between_ = found;
   }
 
   /// Returns a bound on the distance of each coordinate from that of any mechanism that rounds to
@@ -73,9 +70,8 @@ class LeftOutEquations {
  private:
   Interval residual(const Equation& equation, std::span<const double> q,
                     std::span<const double> radius) const;
-  /// Returns the misfit of equation i with a residual, over its length or in rad. Slopes are taken
-  /// at `state_`.
-  double relative(std::size_t i, double residual) const;
+  /// Returns the misfit of equation i with a residual. Slopes are taken at `state_`.
+  Misfit misfit(std::size_t i, double residual) const;
   void go_to(const PathProof& step, double s);
   double worst_place(std::size_t i, const PathProof& step);
   bool is_told_at(std::size_t i, const PathProof& step, double s);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "formulations/modelling/independence/linearisation.h"
 #include "formulations/verification/branch/chosen_equations.h"
 
 namespace desmo {
@@ -141,7 +142,7 @@ bool CheckedMotion::is_led_astray() const {
   const LeftOutEquations& left_out = follower_->left_out;
   std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
   if (!misfit && left_out.between()) misfit = left_out.between()->misfit;
-  return last_.on_path && !last_.point && misfit && left_out.is_contradiction(*misfit);
+  return last_.on_path && !last_.point && misfit && misfit->relative > max_misfit;
 }
 
 /// Takes other equations of overconstrained groups if the kept ones are nearly dependent at

@@ -102,7 +102,7 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
   std::optional<RowFlag> first_flag{};
   long crossings = 0;  ///< number of change points in flags of rows
   std::optional<RowFlag> first_crossing{};
-  std::optional<Misfit> misfit{};  ///< the largest of the rows
+  std::optional<Misfit> misfit{};  ///< the largest of the rows (Misfit::relative)
   PerLevel<double> radius{};       ///< largest of proven rows, over `scales`
   Scales scales{};                 ///< of the motion
   double condition = 0;            ///< largest of the rows

@@ -29,7 +29,7 @@ std::optional<RowFlag> Follower::misfit_flag(const RefinedInstant& r, const Live
   std::optional<Misfit> misfit = left_out.check(r, live);
   double time = offset + r.instant.time;
   if (const auto between = left_out.take_between();
-      between && (!misfit || between->misfit.amount > misfit->amount)) {
+      between && (!misfit || between->misfit.relative > misfit->relative)) {
     misfit = between->misfit;
     time = offset + between->time;
   }

@@ -47,7 +47,7 @@ void RowTally::take_flag(const RowFlag& flag, CheckedSummary& summary) {
     last->second = flag.after;
     if (!summary.first_crossing) summary.first_crossing = flag;
   }
-  if (flag.misfit && (!summary.misfit || flag.misfit->amount > summary.misfit->amount))
+  if (flag.misfit && (!summary.misfit || flag.misfit->relative > summary.misfit->relative))
     summary.misfit = flag.misfit;
 }
 
