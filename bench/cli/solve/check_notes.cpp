@@ -13,9 +13,9 @@ namespace {
 std::string obstacle_text(ProofFailure failure) {
   switch (failure) {
     case ProofFailure::drivers:
-      return "rounding of the drivers' values, so large, leaves too few digits";
+      return "rounding of the drivers' values, so large, or an earlier group leaves too few digits";
     case ProofFailure::time:
-      return "the drivers' motions have too few digits at this time";
+      return "the drivers' motions, or an earlier group, have too few digits at this time";
     case ProofFailure::origin:
       return "rounding of the coordinates, so far from the origin, leaves too few digits";
     case ProofFailure::sizes:
