@@ -63,7 +63,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 /// Returns the line of a compiler's output with its first error; without one, the first line.
 std::string error_text(const std::string& output) {
-  const std::size_t error = output.find("error");
+  const std::size_t error = output.find("error:");
   const std::size_t line = error == std::string::npos ? 0 : output.rfind('\n', error) + 1;
   return printable(first_line(output.substr(line)), max_shown);
 }

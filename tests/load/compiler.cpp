@@ -45,7 +45,7 @@ TEST_F(CompilerTest, IsTheOneThatDesmoWasBuiltWithUnlessAnotherIsNamed) {
 }
 
 TEST_F(CompilerTest, ThatFailsIsQuoted) {
-  use_compiler("echo 'first words' >&2; echo 'kernels.cpp:1: error: no space left' >&2; exit 1");
+  use_compiler("echo 'in error.h' >&2; echo 'kernels.cpp:1: error: no space left' >&2; exit 1");
   expect_problem("cannot compile the kernels: kernels.cpp:1: error: no space left");
   use_compiler("exit 0");
   expect_problem("has not got what was to be made there");
