@@ -56,6 +56,17 @@ TEST(LiveOptions, TellWhichRadiiLeaveNoDigit) {
   }
 }
 
+/// On a dead point, rates are those that rounding leaves.
+TEST(LiveRun, TakesNoScaleFromARowWithoutProof) {
+  const Model m = locking_four_bar();
+  const auto f = make_formulation(find_variant("group_automatic_eigen"), m);
+  LiveRun run(*f);
+  const double before = run.scales().length.velocity, rate = 1, none = 0;
+  const LiveSummary s = run.step({0, {&dead_point, 1}, {&rate, 1}, {&none, 1}});
+  ASSERT_TRUE(s.flag && s.flag->kind == RowFlag::Kind::unproven) << describe(s, m);
+  EXPECT_EQ(run.scales().length.velocity, before);
+}
+
 /// Velocities alone go along the cubic.
 TEST(LiveRun, AnswersRowsUpToVelocities) {
   for (const auto& [m, grid] : every_motion()) {

@@ -69,7 +69,9 @@ TEST(CouplingsByTable, AreFlaggedWhereTheyContradictBetweenLiveRows) {
   const auto f = make_formulation(find_variant("group_automatic_lapack"), m);
   LiveRun run(*f, {.level = Level::velocity});
   for (int row = 0; row < 8; ++row) {
-    const double z = 32 * degree * row, zd = 320 * degree;
+    const double z = 32 * degree * row, zd = 320 * degree, beyond = 460 * degree;
+    if (row == 2)  // the misfit of a way that leads to no row is not that of the next one
+      EXPECT_EQ(run.step({0.1 * row, {&beyond, 1}, {&zd, 1}}).outcome(), Outcome::failed);
     const LiveSummary s = run.step({.time = 0.1 * row, .z = {&z, 1}, .zd = {&zd, 1}});
     if (row == 6) {  // 160° to 192°
       ASSERT_TRUE(s.flag && s.flag->kind == RowFlag::Kind::misfit);
