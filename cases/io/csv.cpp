@@ -31,7 +31,7 @@ std::string_view without_mark(std::string_view text) {
 }
 
 bool to_number(std::string_view field, double& value) {
-  if (field.starts_with('+')) field.remove_prefix(1);
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   return parse_number(field, value);
 }
 

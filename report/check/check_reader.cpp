@@ -14,19 +14,12 @@ Rounds read_rounds(const RecordValue& node) {
   return rounds;
 }
 
-std::int64_t read_count(const RecordValue& node) {
-  const double count = node.positive();
-  if (count != static_cast<double>(static_cast<std::int64_t>(count)))
-    node.complain("a whole number of instructions was expected");
-  return static_cast<std::int64_t>(count);
-}
-
 Work read_work(const RecordValue& node, bool two_sides) {
   Work work{node["tool"].text(), node["steps"].integer(1), node["iterations"].integer(1), {}};
   for (const RecordValue& sides : node["instructions"].members()) {
     Instructions& counts = work.instructions[std::string(sides.key())];
-    counts.head = read_count(sides["head"]);
-    if (two_sides) counts.base = read_count(sides["base"]);
+    counts.head = sides["head"].count();
+    if (two_sides) counts.base = sides["base"].count();
   }
   return work;
 }

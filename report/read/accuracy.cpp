@@ -1,4 +1,5 @@
 // The experiment accuracy: floors and points.
+#include <algorithm>
 #include <array>
 
 #include "report/read/readers.h"
@@ -62,6 +63,11 @@ void read_accuracy(Record& record, const RecordValue& experiment) {
       node.complain("\"floors\" has nothing of " + described(key.series));
     add_once(record.points, node, key, read_point(node), key.id + " of " + described(key.series));
   });
+  const auto is_drawn = [&](const auto& point) {
+    return point.first.series.step_seconds == record.settings.step_seconds;
+  };
+  if (!record.points.empty() && std::ranges::none_of(record.points, is_drawn))
+    experiment["points"].complain("none has the step of the record's settings");
 }
 
 }  // namespace desmo::report

@@ -13,10 +13,8 @@ History read_history(const std::filesystem::path& file) {
       HistoryPoint point{node["commit"].text(), node["date"].text(), node["subject"].text(),
                          node["compiler"].text()};
       for (const RecordValue& count : counts.elements())
-        point.instructions.push_back(
-            count.is_number()
-                ? std::optional<std::int64_t>(static_cast<std::int64_t>(count.positive()))
-                : std::nullopt);
+        point.instructions.push_back(count.is_number() ? std::optional(count.count())
+                                                       : std::nullopt);
       if (point.instructions.size() != history.candidates.size())
         counts.complain("as many as candidates were expected");
       return point;

@@ -1,5 +1,6 @@
 // The paper's experiment: candidates, requests, peers and profiles.
 #include <algorithm>
+#include <regex>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -100,6 +101,10 @@ void read_paper(Record& record, const RecordValue& experiment) {
   for (const char* list : {"candidates", "cells"})  // "cells" until schema 3.0.0
     read_each(experiment, list, [&](const RecordValue& node) {
       const CandidateKey key = read_key(node);
+      // The table of threads reads their number from the id, since a failed candidate has no other.
+      static const std::regex no_number("/threads:(?![1-9][0-9]{0,8}(/|$))");
+      if (std::regex_search(key.id, no_number))
+        node["id"].complain("\"" + key.id + "\" has no number of threads");
       add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,
                read_candidate(node, settings, key.id), name_of(key));
     });

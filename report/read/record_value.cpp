@@ -1,6 +1,7 @@
 #include "report/read/record_value.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/text/digits.h"
 
@@ -8,6 +9,7 @@ namespace desmo::report {
 namespace {
 
 constexpr int max_integer = 1'000'000'000;
+constexpr double max_count = 1e15;  // below 2^53: each whole number is a double
 constexpr double min_sample = 1e-9;
 constexpr double max_sample = 1e9;
 
@@ -53,6 +55,13 @@ std::string RecordValue::utc() const {
 }
 
 std::int64_t RecordValue::integer(int least) const { return whole_number(least, max_integer); }
+
+std::int64_t RecordValue::count() const {
+  const double value = number();
+  if (!(value >= 1 && value <= max_count) || value != std::floor(value))
+    complain("a whole number from 1 to 1e15 was expected");
+  return static_cast<std::int64_t>(value);
+}
 
 double RecordValue::not_negative() const {
   const double value = number();

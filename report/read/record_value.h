@@ -46,6 +46,7 @@ class RecordValue : public JsonValue {
   std::string digest() const;  ///< SHA-256: 64 hexadecimal digits in lower case
   std::string utc() const;     ///< date and time in the form 2026-11-21T17:48:47Z
   std::int64_t integer(int least) const;  ///< whole number, least ≤ it ≤ 1e9
+  std::int64_t count() const;             ///< whole number, 1 ≤ it ≤ 1e15
   double not_negative() const;            ///< number, 0 ≤ it ≤ 1e100, so that sums stay finite
   double positive() const;                ///< number, 0 < it ≤ 1e100
   double sample() const;                  ///< measured time [s], 1e-9 ≤ it ≤ 1e9

@@ -71,6 +71,7 @@ TEST_F(TableFile, WhatIsWrongIsNamedWithItsLine) {
        "line 1: 'angle' is in 'mm', no unit that it can have; give it in 'deg'"},
       {"t,angle\n0,0\n\n1,x\n", "line 4: column 2: 'x' is not a number up to 1e100; give one"},
       {"0,0\n1,nan\n", "line 2: column 2: 'nan' is not a number"},
+      {"0,0\n1,+-5\n", "line 2: column 2: '+-5' is not a number"},
       {"0,0\n1,1e101\n", "line 2: column 2: '1e101' is not a number up to 1e100"},
       {"0,0\n1\n", "line 2: has 1 columns, where 2 are expected; give as many"},
       {"t;angle\n0;0\n", "line 1: no column is called 't'; separate columns by commas, tabs or bl"},

@@ -149,6 +149,8 @@ TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
   EXPECT_EQ(c["instructions"], (Json{a["instructions"][0], nullptr, nullptr}));
   EXPECT_TRUE(a["instructions"][2].is_null());
   EXPECT_GT(b["instructions"][2], 100'000);
+  ASSERT_EQ(add("e", "2026-05-01T00:00:00Z", lacking), 0) << err_;
+  EXPECT_LACKS(err_, "nan %");  // there is nothing to count
 
   const std::string before = text("history.json");
   EXPECT_EQ(shell(std::string(DESMO_CHECK) + " --head " + file("nowhere") + " history " +

@@ -25,6 +25,11 @@ TEST_F(Program, PrintsARiseAsANumber) {
   const Json row = Json::parse(out_)["sections"][0]["tables"][0]["rows"][0];
   EXPECT_EQ(row["change"]["percent"], 3.0);
   EXPECT_EQ(tables("complete.json", with_history + " --out " + (folder_ / "out").string()), 0);
+  for (const double no_count : {0.5, 1e19}) {
+    write("history.json", history({1000, no_count}));
+    EXPECT_EQ(tables("complete.json", with_history), 65);
+    EXPECT_CONTAINS(err_, "history.json: /points/1/instructions/0: a whole number from 1 to 1e15");
+  }
 }
 
 /// The newest record as another machine would have made it.

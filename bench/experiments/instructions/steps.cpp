@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -96,6 +97,8 @@ int main(int argc, char** argv) {
     return 1;
   } catch (const std::exception& e) {
     std::cerr << "desmo_steps: " << e.what() << '\n';
-    return desmo::bench::usage_error;
+    // Wrong usage tells bench/check --history that there is no such candidate.
+    const bool is_usage = dynamic_cast<const std::invalid_argument*>(&e);
+    return is_usage ? bench::usage_error : bench::internal_error;
   }
 }

@@ -17,7 +17,7 @@ Progress::Progress(std::string what, double work, bool only_on_terminal)
 
 Progress::~Progress() {
   clear();
-  if (only_there_) return;
+  if (only_there_ || all_ == 0) return;
   std::fprintf(stderr, "%s: %.0f %% in %.0f s\n", what_.c_str(), 100 * done_ / all_, elapsed());
 }
 

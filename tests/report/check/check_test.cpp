@@ -189,6 +189,7 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
         changed("/head/paper/candidates", Json::array())}},
       {"/work/instructions: the candidate truck", {changed("/work/instructions", Json::object())}},
       {"a whole number", {changed("/work/instructions/" + name + "/head", 0.5)}},
+      {"a whole number", {changed("/work/instructions/" + name + "/head", 1e19)}},
       {"/control/head/0", {changed("/control/head/0", -1)}},
       {"desmo-check", {changed("/schema", "desmo-results")}}};
   for (const auto& [message, patch] : spoilt)

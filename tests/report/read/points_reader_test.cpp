@@ -48,6 +48,9 @@ TEST(PointsReader, NamesThePlaceOfWhatIsWrong) {
                                "a_b_c/", "a_b_c/guess:linear/guess:linear"})
     refusals.push_back({"/accuracy/points/0/id", id, ": \"" + id + "\" is not a formulation"});
   expect_refusals(json, refusals);
+  Json other = json;
+  set_motion(other, 1, 0.004);
+  EXPECT_CONTAINS(complaint(other), "/accuracy/points: none has the step of the record's settings");
 }
 
 TEST(Configuration, TakesSettingsInAnyOrderAndKeepsWhatItDoesNotKnow) {

@@ -82,6 +82,8 @@ TEST(RecordReader, RefusesWrongTypesAndValues) {
        "truck_suspension/114/global_automatic_cholmod is given twice"},
       {"/paper/profiles/-", complete_record()["paper"]["profiles"][0],
        "/paper/profiles/3: truck_suspension/558/"}};
+  for (const std::string id : {"a_b_c/threads:x", "a_b_c/threads:2x", "a_b_c/threads:99999999999"})
+    refusals.push_back({"/paper/candidates/0/id", id, ": \"" + id + "\" has no number of threads"});
   for (const std::string digest : {"", "12ab", "G"})
     refusals.push_back(
         {"/paper/candidates/0/model", digest, ": \"" + digest + "\" is not a SHA-256 digest"});
