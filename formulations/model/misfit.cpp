@@ -1,14 +1,18 @@
 #include "formulations/model/misfit.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/model/incidence.h"
-#include "formulations/model/scales.h"
 
 namespace desmo {
+
+DisplayUnit Misfit::unit(const DisplayUnits& units) const {
+  if (is_length(kind)) return units.length;
+  return kind == EntityKind::angle ? units.angle : DisplayUnit{"1"};
+}
 
 std::vector<double> residual_of(const Model& m, const Constraint& c,
                                 std::span<const double> state) {
@@ -23,7 +27,7 @@ std::vector<double> residual_of(const Model& m, const Constraint& c,
 Misfit misfit_of(const Model& m, int constraint, int row, double residual,
                  std::span<const double> state) {
   const Constraint& c = m.constraints[constraint];
-  Misfit result{constraint, 0, false};
+  Misfit result{.constraint = constraint};
   visit_kind(c.kind, [&]<class Kind>(Kind) {
     const auto x = operands_of<Kind>(m, c, state.data());
     // norm of the derivatives by each operand
@@ -32,13 +36,15 @@ Misfit misfit_of(const Model& m, int constraint, int row, double residual,
                    [&](int r, int operand, int, double value) {
                      if (r == row) slope[operand] = std::hypot(slope[operand], value);
                    });
-    double steepest[2] = {0, 0};  // largest slope: [0] by other operands, [1] by lengths
+    std::pair steepest{false, 0.};  // whether it is by a length, and the slope: any length is first
     for (std::size_t k = 0; k < x.size(); ++k) {
-      double& most = steepest[is_length(m.entities[c.operands[k]].kind)];
-      most = std::max(most, slope[k]);
+      const EntityKind kind = m.entities[c.operands[k]].kind;
+      const std::pair steepness{is_length(kind), slope[k]};
+      if (!(slope[k] > 0 && steepness > steepest)) continue;
+      steepest = steepness;
+      result.kind = kind;
     }
-    result.is_length = steepest[1] > 0;
-    result.amount = std::abs(residual) / steepest[result.is_length];
+    result.amount = std::abs(residual) / steepest.second;
   });
   return result;
 }

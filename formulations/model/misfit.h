@@ -3,7 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "cases/io/units.h"
 #include "formulations/model/model.h"
+#include "formulations/model/scales.h"
 
 namespace desmo {
 
@@ -13,12 +15,16 @@ struct Misfit {
   /// Distance by which a point, or a length, would have to change for the equation to hold. An
   /// equation without lengths has the change of a direction's component or of an angle instead.
   double amount = 0;
-  /// true: amount is in the model's unit of length; false: in [1] or [rad]
-  bool is_length = false;
+  /// Kind of what would have to change. The amount is in the model's unit of length for points and
+  /// distances, in [rad] for angles, in [1] for all others.
+  EntityKind kind = EntityKind::vector;
   double relative = 0;  ///< in checked runs over() the equation's length, by which misfits compare
 
   /// Returns the amount divided by a length of the equation; without lengths, the amount itself.
-  double over(double length) const { return is_length ? amount / length : amount; }
+  double over(double length) const { return is_length(kind) ? amount / length : amount; }
+
+  /// Returns the unit in which people read the amount; {"1", 1} where it has none.
+  DisplayUnit unit(const DisplayUnits& units) const;
 };
 
 /// Returns Φ of a constraint (rows) at a state (state_size).
@@ -26,7 +32,7 @@ std::vector<double> residual_of(const Model& model, const Constraint& constraint
                                 std::span<const double> state);
 
 /// Returns the misfit of an equation: |Φ| divided by the steepest slope by a length. Where it has
-/// no length, the steepest slope by any operand counts.
+/// no length, the steepest slope by any operand counts. The kind is that operand's.
 /// - constraint, row: the equation
 /// - residual: Φ
 /// - state: where the slopes are taken (state_size)

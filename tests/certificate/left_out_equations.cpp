@@ -103,7 +103,7 @@ TEST(LeftOutEquations, HaveTheMisfitOfACrankThatIsTooLong) {
           std::pair(1e-10, 1000.L)}) {
       const Found found = find(parallel_cranks(1.1L, 17, stated, longer, 1, from_origin));
       EXPECT_GT(found.flagged, found.instants / 2) << longer << ", " << from_origin;
-      EXPECT_TRUE(found.largest.is_length);
+      EXPECT_TRUE(is_length(found.largest.kind));
       EXPECT_NEAR(found.largest.amount / longer, 1 - std::cos(1.), 0.3) << longer;
     }
 }
@@ -182,10 +182,10 @@ TEST(LeftOutEquations, CompareMisfitsOverTheirLengths) {
   EXPECT_EQ(found.relative,
             found.over(CharacteristicLengths(m).of(m.constraints[found.constraint])));
   LeftOutEquations left_out(m);
-  const Misfit length{0, 1e-9, true, 1e-6}, angle{1, 1e-7, false, 1e-7};
+  const Misfit length{0, 1e-9, EntityKind::distance, 1e-6}, angle{1, 1e-7, EntityKind::angle, 1e-7};
   for (const Misfit& misfit : {angle, length, angle})
     left_out.note(LeftOutEquations::Between{misfit, 0});
-  EXPECT_TRUE(left_out.between()->misfit.is_length);
+  EXPECT_TRUE(is_length(left_out.between()->misfit.kind));
 }
 
 /// The enclosure of what holds grows with about the sixth power of the step: a step of 0.72 rad

@@ -26,7 +26,7 @@ TEST(Gaps, EndARunThatSaysByHowMuchItLacks) {
   EXPECT_EQ(s.outcome(), Outcome::failed);
   EXPECT_EQ(s.time, 0.16);
   ASSERT_TRUE(s.assembly_error);
-  EXPECT_TRUE(s.assembly_error->is_length);
+  EXPECT_TRUE(is_length(s.assembly_error->kind));
   EXPECT_TRUE(m.constraints[s.assembly_error->constraint].name.starts_with("dyad1/"));
   // Coupler and rocker lack what is between the pin of the crank and 9 from the pivot.
   const double theta = sample(m.drivers[0].motion, s.time).position;

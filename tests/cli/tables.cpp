@@ -22,7 +22,10 @@ TEST_F(Cli, TellsContradictionsBetweenRows) {
                             .step = 0.125}
                           .text());
   expect_said(0, "solve scene.json",
-              " s, between rows: the equations contradict each other: 'second: coupling'");
+              " s, between rows: the equations contradict each other: 'second: coupling'",
+              " deg; the motion is", "largest contradiction: 'second: coupling' is off by ",
+              "e+00 deg\n");
+  expect_said(0, "solve scene.json --units si", " rad; the motion is", "e-02 rad\n");
   EXPECT_EQ(desmo("solve scene.json --strict"), 1);
 }
 

@@ -36,6 +36,15 @@ Mechanism ring_of_gears(const std::vector<double>& teeth, double last_teeth) {
   return d.release_pinned();
 }
 
+/// Returns the misfit of the first coupling, as it is drawn, where Φ is 0.1.
+Misfit misfit_of_coupling(const Model& m) {
+  const auto is_coupling = [](const Constraint& c) { return c.name.ends_with(": coupling"); };
+  const auto c = std::ranges::find_if(m.constraints, is_coupling);
+  return misfit_of(m, static_cast<int>(c - m.constraints.begin()), 0, 0.1, m.state_of(m.estimate));
+}
+
+const DisplayUnits units{{"mm", 1e-3}, {"deg", std::numbers::pi / 180}};
+
 TEST(Coupling, OfTwoWheelsPutsOneAfterTheOther) {
   Sketch d("wheels", 2);
   const int O = d.ground_point("O", {0, 0, 0}), P = d.ground_point("P", {3, 0, 0});
@@ -55,6 +64,9 @@ TEST(Coupling, OfTwoWheelsPutsOneAfterTheOther) {
   ASSERT_NE(mesh, equations.end());
   EXPECT_EQ(mesh->operands, (std::vector<std::string>{"b", "a"}));
   EXPECT_EQ(mesh->constants, (std::vector<double>{1, 0.5, std::numbers::pi / 2}));
+  const Misfit misfit = misfit_of_coupling(r.model);
+  EXPECT_EQ(misfit.amount, 0.1);
+  EXPECT_EQ(misfit.unit(units).name, "deg");
 }
 
 TEST(Coupling, OfAngleAndLengthHasTheUnitOfLength) {
@@ -74,6 +86,9 @@ TEST(Coupling, OfAngleAndLengthHasTheUnitOfLength) {
     if (c.name == "rack: coupling") {
       EXPECT_EQ(values_of(c), (std::vector<double>{-7.5, 1, 2}));
     }
+  const Misfit misfit = misfit_of_coupling(s.model());
+  EXPECT_EQ(misfit.amount, 0.1);  // that of the length, although the slope by the angle is steeper
+  EXPECT_EQ(misfit.unit(units).name, "mm");
 }
 
 TEST(Coupling, ThatFollowsFromOthersIsLeftOut) {

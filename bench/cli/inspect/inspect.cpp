@@ -143,7 +143,7 @@ std::pair<Json, Json> describe_tree(const Model& m, const Mechanism& d, const Ri
 /// was not computed.
 Json describe_misfit(const LeftOut& left_out, const DisplayUnits& units) {
   if (!left_out.misfit) return nullptr;
-  const DisplayUnit unit = left_out.misfit->is_length ? units.length : DisplayUnit{"1"};
+  const DisplayUnit unit = left_out.misfit->unit(units);
   return {{"amount", unit.from_si(left_out.misfit->amount)}, {"unit", unit.name}};
 }
 

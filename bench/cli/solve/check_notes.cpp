@@ -46,9 +46,8 @@ std::string lost_text(const RowFlag& f) {
 }  // namespace
 
 std::string off_by(const Misfit& misfit, const Model& m, const DisplayUnits& units) {
-  const DisplayUnit unit = misfit.is_length ? units.length : DisplayUnit{"1"};
   return "'" + m.constraints[misfit.constraint].name + "' is off by " +
-         quantity(misfit.amount, unit, "%.1e");
+         quantity(misfit.amount, misfit.unit(units), "%.1e");
 }
 
 std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& units) {

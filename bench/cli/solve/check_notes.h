@@ -22,7 +22,7 @@ std::string note_on_flags(const CheckedSummary& summary, const Model& model,
 /// Returns why a row is flagged: "group 'SG-I' (crank, rod), t = 0.3 s: …".
 std::string flag_text(const RowFlag& flag, const Model& model, const DisplayUnits& units);
 
-/// Returns "'rod/length' is off by 1.2 mm"; without a unit where the amount is no length.
+/// Returns "'rod/length' is off by 1.2 mm"; without a unit where a direction is off.
 std::string off_by(const Misfit& misfit, const Model& model, const DisplayUnits& units);
 
 /// Returns why a strict run ended, in the form of failure_text().

@@ -152,8 +152,7 @@ std::vector<LeftOut> constant_equations(const Model& m) {
       if (!(misfit.over(lengths.own(constraint)) <= max_misfit))
         throw ContradictionError(
             [name = in_quotes(constraint.name), misfit](const DisplayUnits& units) {
-              return name + " is off by " +
-                     in_unit(misfit.amount, misfit.is_length ? units.length : DisplayUnit{"1"}) +
+              return name + " is off by " + in_unit(misfit.amount, misfit.unit(units)) +
                      ": the places on the ground and the shape of the body, or two shapes, "
                      "contradict each other; make them the same";
             },
