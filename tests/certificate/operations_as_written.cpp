@@ -21,8 +21,8 @@ std::map<std::string, int> count_fused() {
   char text[4096];
   while (listing && std::fgets(text, sizeof text, listing.get())) {
     const std::string line = text;
-    if (const std::size_t end = line.find(".cpp.o:"); end != line.npos)
-      count = &counts[line.substr(0, end)];
+    if (const std::size_t end = line.find(".o:"); end != line.npos)
+      count = &counts[line.substr(0, line.find('.'))];
     else if (count && (line.find("\tvfm") != line.npos || line.find("\tvfnm") != line.npos))
       ++*count;
   }

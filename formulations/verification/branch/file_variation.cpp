@@ -16,7 +16,7 @@ constexpr double last_digit = 2 * 0x1p-53;        // relative, of a number of th
 constexpr double stated_digits = 3 * last_digit;  // relative, of a product or ratio of three
 
 /// Factor that covers terms of second order and the rounding of radii.
-constexpr double above = 1 + 0x1p-20;
+constexpr double second_order = 1 + 0x1p-20;
 
 template <class Kind>
 constexpr bool is_measured = requires(const Derived* const* x, Derived* c) {
@@ -85,7 +85,7 @@ class VariedDrawing {
     }
     for (int k = 0; k < Kind::constants; ++k) {
       const double stated = is_drawn ? 0 : stated_digits * std::abs(c.constants[k].value);
-      c.constants[k].radius += (drawn[k].radius + stated) * above;
+      c.constants[k].radius += (drawn[k].radius + stated) * second_order;
     }
   }
 
@@ -107,7 +107,7 @@ class VariedDrawing {
     if (!is_drawn)
       for (const Derived& factor : c.constants)
         radius += stated_digits * std::abs(factor.value) * reach<Kind>(c);
-    c.slack.assign(Kind::rows, radius * above);
+    c.slack.assign(Kind::rows, radius * second_order);
   }
 
   /// Sets the slack of a table's equation to what the digits of its arguments and values make up.
@@ -123,7 +123,7 @@ class VariedDrawing {
           std::max(largest, size(first) + size(first + 1) * std::max(size(3), size(3 + pieces)));
     }
     const double value = std::abs(numbers[0].value) * largest + std::abs(numbers[2].value);
-    c.slack.assign(Kind::rows, stated_digits * value * above);
+    c.slack.assign(Kind::rows, stated_digits * value * second_order);
   }
 
   /// Returns the largest length of a vector, or distance of two points, among a constraint's
@@ -158,7 +158,7 @@ Model with_file_variation(const Model& model) {
   for (Constraint& c : varied.constraints) drawing.vary(c);
   for (std::size_t i = 0; i < varied.fixed_remainders.size(); ++i)
     varied.fixed_remainders[i].radius +=
-        drawing.radius(model.coordinates() + static_cast<int>(i)) * above;
+        drawing.radius(model.coordinates() + static_cast<int>(i)) * second_order;
   return varied;
 }
 

@@ -14,9 +14,9 @@ namespace {
 constexpr int max_boxed_chain = 8;
 constexpr int level_count = static_cast<int>(all_levels.size());
 
-class Builder {
+class ScheduleBuilder {
  public:
-  Builder(const Model& m, std::span<const Level> up_to)
+  ScheduleBuilder(const Model& m, std::span<const Level> up_to)
       : m_(m),
         up_to_(up_to),
         magnitudes_(CharacteristicLengths(m).of_coordinates()),
@@ -187,7 +187,7 @@ class Builder {
 }  // namespace
 
 BlockSchedule block_schedule(const Model& model, std::span<const Level> levels) {
-  return Builder(model, levels).build();
+  return ScheduleBuilder(model, levels).build();
 }
 
 }  // namespace desmo

@@ -11,9 +11,9 @@ namespace desmo {
 
 namespace {
 
-class Builder {
+class ShapeBuilder {
  public:
-  Builder(const Model& m, const PartDefinition& part) : m_(m), part_(part) {}
+  ShapeBuilder(const Model& m, const PartDefinition& part) : m_(m), part_(part) {}
 
   ShapedBlock build() {
     for (std::size_t row = 0; row < part_.equations.size(); ++row)
@@ -136,7 +136,7 @@ class Builder {
 }  // namespace
 
 ShapedBlock shaped_block(const Model& model, const PartDefinition& block) {
-  return Builder(model, block).build();
+  return ShapeBuilder(model, block).build();
 }
 
 }  // namespace desmo
