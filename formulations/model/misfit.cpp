@@ -36,15 +36,19 @@ Misfit misfit_of(const Model& m, int constraint, int row, double residual,
                    [&](int r, int operand, int, double value) {
                      if (r == row) slope[operand] = std::hypot(slope[operand], value);
                    });
+    double chosen = 0;              // slope of the operand that the amount is of
     std::pair steepest{false, 0.};  // whether it is by a length, and the slope: any length is first
     for (std::size_t k = 0; k < x.size(); ++k) {
       const EntityKind kind = m.entities[c.operands[k]].kind;
-      const std::pair steepness{is_length(kind), slope[k]};
+      // An angle is often as steep as a direction: rounding must not choose the unit.
+      const double first = kind == EntityKind::angle ? 1 + 0x1p-20 : 1;
+      const std::pair steepness{is_length(kind), slope[k] * first};
       if (!(slope[k] > 0 && steepness > steepest)) continue;
       steepest = steepness;
       result.kind = kind;
+      chosen = slope[k];
     }
-    result.amount = std::abs(residual) / steepest.second;
+    result.amount = std::abs(residual) / chosen;
   });
   return result;
 }

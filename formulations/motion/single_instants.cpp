@@ -68,6 +68,7 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
     } else if (end == ContinuationEnd::too_long) {
       summary.status = Status::not_converged;
       summary.residual = NAN;
+      summary.instants = 0;
       return summary;
     }
   }

@@ -148,8 +148,9 @@ std::vector<LeftOut> constant_equations(const Model& m) {
     all.push_back({constraint.name, {}, constraint.group, {}, false});
     const std::vector<double> phi = residual_of(m, constraint, state);
     for (int row = 0; row < std::ssize(phi); ++row) {
-      const Misfit misfit = misfit_of(m, c, row, phi[row], state);
-      if (!(misfit.over(lengths.own(constraint)) <= max_misfit))
+      Misfit misfit = misfit_of(m, c, row, phi[row], state);
+      misfit.relative = misfit.over(lengths.own(constraint));
+      if (!(misfit.relative <= max_misfit))
         throw ContradictionError(
             [name = in_quotes(constraint.name), misfit](const DisplayUnits& units) {
               return name + " is off by " + in_unit(misfit.amount, misfit.unit(units)) +
@@ -159,7 +160,7 @@ std::vector<LeftOut> constant_equations(const Model& m) {
             m.length_unit);
       all.back().rows.push_back(row);
       std::optional<Misfit>& largest = all.back().misfit;
-      if (!largest || misfit.amount > largest->amount) largest = misfit;
+      if (!largest || misfit.relative > largest->relative) largest = misfit;
     }
   }
   return all;
