@@ -85,7 +85,8 @@ const RefinedInstant& BranchPath::predict(double time) {
   return refinement_.refine(instant_of(time, predicted_.view().values));
 }
 
-/// Proves the step from the present instant to another one, earlier or later.
+/// Proves the step from the present instant to another one, earlier or later. A step that is not
+/// accepted (ask_about_steps()) counts as unproven.
 PathCertificate BranchPath::prove(const CertifiedInstant& to) {
   PathCertificate c =
       to.time < present_.time ? path_.prove(to, present_) : path_.prove(present_, to);

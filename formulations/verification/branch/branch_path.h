@@ -43,15 +43,17 @@ class BranchPath {
   /// missing ones. Returns whether that succeeds.
   bool start_at(const CertifiedInstant& instant);
 
-  /// Goes to the time of an instant, later or earlier. Then present() is the instant (`same`), the
-  /// end of the motion at that time (`other`), or the last proven instant (`stuck`). An instant at
-  /// the present time is `same` if its box meets that of present().
+  /// Goes to the time of an instant, later or earlier. Then present() is the instant with all rates
+  /// (`same`), the solution at that time on the motion followed (`other`), or the last proven
+  /// instant (`stuck`). If present() has that time already, it stays: `same` if both boxes meet,
+  /// else `other`.
   FollowedStep follow(const CertifiedInstant& to);
   /// Goes to another time (`same`), or as far as the motion leads (`stuck`).
   FollowedStep go_to(double time);
 
-  /// Returns whether |q − centre| ≤ radius + count × tolerance of each coordinate, with the tube of
-  /// the last step at a time [s]. That step must have been proven at the first try.
+  /// Returns whether positions q at a time [s] of the last step lie in its tube, widened by count ×
+  /// tolerance of each coordinate, up to rounding. The step must have been proven at the first try
+  /// (FollowedStep::sub_steps == 1): after sub-steps, the tube is that of the last one tested.
   /// - q, tolerances: (coordinates)
   bool contains(double time, std::span<const double> q, std::span<const double> tolerances,
                 double count) const;

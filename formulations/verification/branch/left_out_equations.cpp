@@ -165,8 +165,8 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
     note(Between{*found, point.instant.time});
     return true;
   }
-  // No misfit is proven at the point. If its own digits leave half of max_misfit open, a shorter
-  // step does not help.
+  // No misfit is proven at the point. If one may exceed half of max_misfit even over the point's
+  // own box, shorter steps are given up: they would hardly prove more.
   const Interval phi = residual(equations_[i], point.instant.q, point.radius.position);
   return !(misfit(i, phi.magnitude()).relative <= max_misfit / 2);
 }

@@ -25,7 +25,7 @@ namespace desmo {
 ///
 /// Between instants, each equation is enclosed along the tube of each step (PathProof). Steps are
 /// shortened until no misfit above `max_misfit`, which modelling refuses in a drawing, is
-/// overlooked.
+/// overlooked, unless the file's digits or rounding leave it open at a point.
 ///
 /// check() costs an evaluation of these equations and, where the instant's own radii do not explain
 /// all residuals, a certificate of positions. One thread at a time may use this object.

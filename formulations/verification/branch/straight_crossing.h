@@ -39,7 +39,8 @@ class StraightCrossing {
   StraightCrossing(const StraightCrossing&) = delete;
   StraightCrossing& operator=(const StraightCrossing&) = delete;
 
-  /// Finds the smooth continuation. Returns whether there is one.
+  /// Finds the smooth continuation, and sets nearest(), reach(), positions() and width(). Returns
+  /// whether one is found; false also where proofs fail or rounding hides which branch is smooth.
   bool find();
 
   /// Returns the least factor by which the miss falls from one halving to the next, until rounding

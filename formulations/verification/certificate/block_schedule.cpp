@@ -175,7 +175,7 @@ class ScheduleBuilder {
   const std::vector<double> magnitudes_;
   std::vector<std::map<int, std::vector<int>>> reads_;  // coordinates by group; -1: driven
   std::vector<int> chain_;                              // groups in the longest chain through each
-  std::vector<bool> is_link_;                           // of each group
+  std::vector<bool> is_link_;                           // whether each group gets a ChainLink
   std::map<int, int> link_of_;
   std::vector<int> group_, row_;  // of each coordinate; -1: driven, or not in a link
   std::vector<int> depth_;        // of each coordinate; 0: driven

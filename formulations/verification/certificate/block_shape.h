@@ -42,7 +42,7 @@ struct BlockShape {
   /// - column_rows, column_entries: row of each entry, and its position in `entries`
   std::vector<int> column_begins, column_rows, column_entries;
   std::vector<int> input_begins;  ///< position of each row's first entry of an input (n)
-  bool linear = true;             ///< Φ_q is constant
+  bool linear = true;             ///< all constraints are of linear kinds, so Φ_q is constant
   bool operator==(const BlockShape&) const = default;
 
   int width() const { return unknowns + inputs; }

@@ -36,12 +36,12 @@ class ErrorBasis {
   void find_directions();
 
   int size_ = 0, columns_ = 0;
-  std::vector<double> generators_;  // G (size × columns)
-  std::vector<double> own_;         // (size)
-  std::vector<double> scale_;       // (size) powers of two: scaled errors are of about one size
+  std::vector<double> generators_;  // G, each row times its scale (size × columns)
+  std::vector<double> own_;         // own radius of each error times its scale (size)
+  std::vector<double> scale_;       // power of two that brings an error > 0 to about 1 (size)
   std::vector<double> basis_;       // Q (size × size)
   std::vector<double> radii_;       // of the box in the basis (size)
-  std::vector<double> rest_;        // G without its parts along the directions so far
+  std::vector<double> rest_;        // workspace: scaled G less its parts along directions found
   std::vector<double> sums_;        // workspace (columns)
 };
 

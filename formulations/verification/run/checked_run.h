@@ -108,8 +108,10 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
   double condition = 0;            ///< largest of the rows
   /// Status::not_converged: error of the group that cannot be assembled (find_assembly_error()).
   std::optional<Misfit> assembly_error{};
-  std::optional<TableLock> table_lock{};  ///< Status::not_finite: the extremum of a table, if any
-  std::vector<Gap> gaps{};                ///< intervals that were left out
+  /// Status::not_finite: position in which a table driven beyond its extremum locks the motion.
+  /// Empty: none was found (find_table_lock()), or nothing was checked (CheckMode::none).
+  std::optional<TableLock> table_lock{};
+  std::vector<Gap> gaps{};  ///< intervals that were left out
 
   bool ok() const { return status == Status::solved; }  ///< no failure but those in `gaps`
   Outcome outcome() const {

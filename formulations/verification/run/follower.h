@@ -34,7 +34,8 @@ struct Follower {
   Refinement refinement;
   BranchPath path;
   LeftOutEquations left_out;
-  std::unique_ptr<StraightPath> straight{};  ///< null: not needed so far
+  /// Finds positions on a change point. Null: the motion is on none, or no row has needed it yet.
+  std::unique_ptr<StraightPath> straight{};
 };
 
 /// Returns the flag of the first row, at a time [s]. The way to it from the drawing passed a change

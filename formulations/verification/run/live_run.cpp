@@ -53,7 +53,7 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
                                std::vector<Level>(options.levels.begin(), options.levels.end()));
   checks_->levels.resize(n, options.level);
   if (!options.levels.empty()) f.solve_only(checks_->levels);
-  options_.levels = {};  // the caller's memory may be gone from here on
+  options_.levels = {};  // the caller's memory may be gone once this returns
   for (const Level level : all_levels) {
     radius_[level].resize(n, INFINITY);
     if (level <= options.level) good_[level].resize(n);
@@ -142,9 +142,9 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   if (summary.flag) summary.flag->time = row.time;
 }
 
-/// Finds the instant of a row that no proven row comes before. The first row is reached from the
-/// drawing. If no way leads there, and after rows without a proof, takes what the formulation has
-/// found. Returns null if it has found nothing.
+/// Finds the instant of a row while no row is proven. Without a good row, tries the way from the
+/// drawing. If that leads to no proven instant, or after good rows without a proof, takes what the
+/// formulation has found, and notes that the branch is lost. Returns null if none is found.
 const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   const bool is_solved = summary.status == Status::solved;

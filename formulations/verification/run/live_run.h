@@ -79,11 +79,11 @@ std::string describe(const LiveSummary& summary, const Model& model);
 ///   }
 ///
 /// The motions of the model's drivers are not used: any will do. The values of a row count as
-/// exact. Every answer is proven like those of run_checked(), or flagged. The first row is reached
-/// from the drawing (find_start()). Between rows the drivers follow the polynomial of lowest degree
-/// through both (RowMotions). The proof is that this motion leads from the last proven row to the
-/// answer. Where the formulation is on another branch, or finds nothing, the end of the path is the
-/// answer, and the formulation goes on from there.
+/// exact. Unless CheckMode is `none`, every answer is proven like those of run_checked(), or
+/// flagged. The first row is reached from the drawing (find_start()). Between rows the drivers
+/// follow the polynomial of lowest degree through both (RowMotions). The proof is that this motion
+/// leads from the last proven row to the answer. Where the formulation is on another branch, or
+/// finds nothing, the end of the path is the answer, and the formulation goes on from there.
 ///
 /// Outcomes of unusual rows:
 /// - NaN, infinity or a wrong size: failed, with a `fault`; nothing was tried
@@ -109,7 +109,8 @@ class LiveRun {
   explicit LiveRun(Formulation& formulation, const LiveOptions& options = {});
   ~LiveRun();
 
-  /// Solves and proves one row.
+  /// Solves a row and, unless CheckMode is `none`, proves or flags it. A row that fails leaves the
+  /// last good row as it was.
   LiveSummary step(const LiveRow& row);
 
   /// Sets the time of the last good position [s]: the next row may have any later one.

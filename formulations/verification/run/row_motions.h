@@ -38,7 +38,8 @@ class RowMotions {
 
   Model model_;
   Level level_;
-  PerLevel<std::vector<double>> from_;  // of each driver at the earlier row
+  // z, ż and z̈ of each driver at the earlier row, up to level_
+  PerLevel<std::vector<double>> from_;
   double time_ = 0;
   bool has_begun_ = false;
 };

@@ -22,7 +22,7 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid) {
   for (const Driver& d : m.drivers)
     for (int i = 0; i < std::max(1, grid.instants); ++i) {
       const MotionSample<double> z = sample(d.motion, grid.time(i));
-      // Left out: the motion ends before an instant at which a rate is not finite.
+      // A rate that is not finite is no scale: the sample is left out.
       if (!std::isfinite(z.velocity) || !std::isfinite(z.acceleration)) continue;
       PerLevel<double>& most = is_length(m.entities[d.coordinate].kind) ? length : rotation;
       most.velocity = std::max(most.velocity, std::abs(z.velocity));

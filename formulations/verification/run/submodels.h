@@ -11,9 +11,10 @@ namespace desmo {
 struct Submodel {
   Model model;
   Members members;
-  std::vector<GroupId> groups;   ///< position in the whole of each of its groups
-  std::vector<int> coordinates;  ///< position in the whole of each of its coordinates
-  std::vector<Level> levels;     ///< level up to which each is solved; empty: as each instant
+  std::vector<GroupId> groups;   ///< position in the whole model of each of its groups
+  std::vector<int> coordinates;  ///< position in the whole model of each of its coordinates
+  /// Level up to which each of `coordinates` is solved; empty: that of the instant, for all.
+  std::vector<Level> levels;
 };
 
 /// Cuts a model into submodels that move independently: no equation reads moving entities of two of
