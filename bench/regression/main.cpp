@@ -93,7 +93,7 @@ void bring_up_to_date(Json& record) {
   record["schema_version"] = bench::schema_version;
 }
 
-/// Returns the record of each side by its name, made by verifying every candidate there.
+/// Returns a record for each side, under its name, made by verifying the named candidates there.
 Json verified(const std::vector<Side>& sides, const Names& names) {
   std::vector<std::string> question{"verify", std::to_string(TimingSettings::instants)};
   question.insert(question.end(), names.begin(), names.end());

@@ -61,7 +61,8 @@ ExtremeCase on_arm(std::string name, double arm, double rate = 1e-7) {
                     d.release(),
                     {Polynomial{{0, rate}}, Polynomial{{start, 1}}},
                     scale_grid},
-          .factor = 1000};  // coordinates as large as the arm are rounded more coarsely
+          // Widens the bound: coordinates as large as the arm are rounded coarsely.
+          .factor = 1000};
 }
 
 }  // namespace

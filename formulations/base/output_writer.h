@@ -42,8 +42,9 @@ class OutputWriter {
   std::size_t size_ = 0;
 };
 
-/// A pool of outputs of one level. It grows to the largest number that is taken at once. Each
-/// output begins on cache lines of its own, since several threads fill them.
+/// A pool of outputs with the same arrays: q and, up to a level, q̇ and q̈. It grows to the largest
+/// number that is taken at once. Each array has cache lines of its own, since several threads fill
+/// the outputs.
 class OutputPool {
  public:
   /// size: number of coordinates in an output.

@@ -74,7 +74,7 @@ inline constexpr int direction_operands = of == DirectionOf::line ? 2 : 1;
 
 }  // namespace vec
 
-/// The common part of all linear kinds.
+/// Base of kinds whose residual is affine in the operands: Φ_q is constant, so Φ̇_q q̇ = 0.
 template <int Rows>
 struct LinearKind {
   static constexpr int rows = Rows;

@@ -53,8 +53,8 @@ class DenseOutput final : public Observer {
   const std::vector<IndexRange> ranges_;
   const OutputWriter output_;
   Observer& observer_;
-  State last_;           // the last solved instant
-  int last_index_ = -1;  // index of the last solved instant in the grid
+  State last_;           // the instant solved most recently
+  int last_index_ = -1;  // index in the grid of the instant solved most recently; −1: none
   State between_;
   int delivered_ = 0;
 };

@@ -35,8 +35,9 @@ std::string ratio_text(const SpeedUp& ratio);
 /// Returns the entry of a time, or its mark.
 /// - half_range: "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}
 /// - range: "0.1122 (0.1102 – 0.1185)", quantities {seconds, least, largest, repetitions}
-/// - median: "0.1122 (median 0.1185)", quantities {seconds, median, repetitions}
-/// Times of fewer than three repetitions have one digit and no spread: "0.4".
+/// - median: "0.1122 (median 0.1185)", quantities {seconds, median, repetitions}; where the digits
+///   of both are the same, "0.1122" without a median
+/// Times of fewer than three repetitions have one significant digit and no spread: "0.4", "10".
 Entry seconds_entry(const Measured& measured, Spread spread = Spread::half_range);
 
 /// Returns the entry of the time of an analysis divided by the record's number of instants [µs];

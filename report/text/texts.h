@@ -32,8 +32,9 @@ std::string in_a_row(const std::vector<std::string>& words);
 /// Returns the sentence "block.word" with its placeholders filled.
 std::string sentence(std::string_view name, const TextValues& values = {});
 
-/// Returns a table without rows that has the name, title, notes that are not empty, caption,
-/// columns, figure and detail of a block.
+/// Returns a table without rows, with what a block says: name (else the block's own), title,
+/// columns, detail, notes, and of its figure: design, column of its marks (`drawn`) and caption.
+/// Leaves out notes that are empty once placeholders are filled.
 Table headed_table(std::string_view block, const TextValues& values = {});
 
 /// Returns a section that has the tables, and the title, paragraphs, definitions and numbers of a

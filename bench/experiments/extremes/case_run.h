@@ -34,7 +34,10 @@ struct CaseRun {
   /// Statements of the proof about an instant.
   struct Stated {
     double condition;
-    PerLevel<double> radius;  ///< largest radius divided by the scale of errors (Answers::scales)
+    /// Largest radius of all coordinates, divided by Answers::scales of the first answers; in
+    /// `max`, and where there are no answers, by the scales of the run. Infinite: a coordinate has
+    /// no proof.
+    PerLevel<double> radius;
   };
 
   /// Returns the outcome by the worst of the steps' flags; `unsolved` where that is set.
@@ -47,7 +50,7 @@ struct CaseRun {
   /// numbers or nothing is known.
   std::vector<std::vector<std::optional<PerLevel<double>>>> errors;
   std::vector<std::optional<Stated>> stated;  ///< one for each compared instant, if it was solved
-  Stated max{};               ///< largest over all instants; radii are relative to the run's scales
+  Stated max{};               ///< condition: largest of all instants; radius: of the proven ones
   std::vector<Gap> gaps;      ///< gaps of the runs, the last of which may reach to the end
   GroupId failed_group = -1;  ///< group that failed first; -1: none, or not known
   /// Bytes by which the heap grew from the first solved instant (or start) after the 1000th to the
