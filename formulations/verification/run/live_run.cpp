@@ -143,8 +143,8 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
 }
 
 /// Finds the instant of a row while no row is proven. Without a good row, tries the way from the
-/// drawing. If that leads to no proven instant, or after good rows without a proof, takes what the
-/// formulation has found, and notes that the branch is lost. Returns null if none is found.
+/// drawing, and notes that the branch is lost if it leads to no proven instant. Then, and after good
+/// rows without a proof, takes what the formulation has found. Returns null if that is nothing.
 const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   const bool is_solved = summary.status == Status::solved;
@@ -160,8 +160,6 @@ const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
       summary.flag.reset();
     }
     c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
-  } else if (is_solved && !c.lost) {  // no proven row before: the branch is unknown
-    c.lost = {.kind = RowFlag::Kind::branch, .after = time_, .before = row.time};
   }
   return is_solved ? &c.follower->refinement.refine(solved()) : nullptr;
 }
