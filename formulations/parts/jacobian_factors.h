@@ -113,10 +113,10 @@ class JacobianFactors {
 
  private:
   enum class Correction : char {
-    none,
+    none,  // no correction since begin_position() or give_up()
     by_old_factors,
     by_new_factors
-  };  // none: no correction since begin_position() or give_up()
+  };
 
   /// Returns whether break_even_solves_ more corrections at the last one's rate would meet the
   /// tolerance.

@@ -95,7 +95,8 @@ Table provenance(const Record& record);
 /// Returns the section of what must not be concluded from the record.
 Section limitations(const Record& record);
 
-/// Returns a line for every candidate, request or peer that failed, with the reason.
+/// Returns a line, with the reason, for every candidate, request or peer of the paper's experiment
+/// that failed.
 std::vector<std::string> failures(const Record& record);
 
 }  // namespace desmo::report

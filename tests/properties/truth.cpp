@@ -42,8 +42,7 @@ bool reaches_start(Continuation& c, const Model& m, double time) {
 }
 
 /// Returns what is to be added to each coordinate: measured angles begin less than half a turn from
-/// the drawing, and are continuous from there. Driven and
-/// coupled ones count as they are.
+/// the drawing, and are continuous from there. Driven and coupled ones count as they are.
 std::vector<Quadruple> turns_to_drawing(const Model& m, const Values& start) {
   const Quadruple turn = 2 * boost::math::constants::pi<Quadruple>();
   std::vector<Quadruple> turns(m.coordinates());
