@@ -143,8 +143,9 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
 }
 
 /// Finds the instant of a row while no row is proven. Without a good row, tries the way from the
-/// drawing, and notes that the branch is lost if it leads to no proven instant. Then, and after good
-/// rows without a proof, takes what the formulation has found. Returns null if that is nothing.
+/// drawing, and notes that the branch is lost if it leads to no proven instant. Then, and after
+/// good rows without a proof, takes what the formulation has found. Returns null if that is
+/// nothing.
 const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   const bool is_solved = summary.status == Status::solved;
