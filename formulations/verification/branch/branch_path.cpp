@@ -46,8 +46,12 @@ bool BranchPath::start_at(const CertifiedInstant& instant) {
   for (const Level level : all_levels) {
     const std::span<const double> given = instant.values[level];
     std::vector<double>& values = predicted_.values[level];
+    if (instant.levels.empty() && !given.empty()) {
+      std::ranges::copy(given, values.begin());
+      continue;
+    }
     for (int i = 0; i < m_.coordinates(); ++i) {
-      const bool solved = !given.empty() && (instant.levels.empty() || level <= instant.levels[i]);
+      const bool solved = !given.empty() && level <= instant.levels[i];
       values[i] = solved ? given[i] : 0;
       complete &= solved;
     }

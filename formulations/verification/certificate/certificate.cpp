@@ -55,9 +55,10 @@ Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
 void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   using Number = Compensated<double>;
   const PerLevel<std::span<const double>> values{instant.q, instant.qd, instant.qdd};
-  for (const Level level : all_levels)
-    for (std::size_t i = 0; i < values[level].size(); ++i)
-      errors_[level].rows[i] = {values[level][i], 0, 0, INFINITY};
+  for (const Level level : all_levels) {
+    ErrorTable::Row* row = errors_[level].rows.data();
+    for (const double x : values[level]) *row++ = {x, 0, 0, INFINITY};
+  }
   for (std::size_t k = 0; k < m_.drivers.size(); ++k) {
     const Driver& d = m_.drivers[k];
     const int i = m_.entities[d.coordinate].first;

@@ -19,8 +19,11 @@ constexpr double max_left = 1.0 / 256;
 
 constexpr int count = LaneNumbers::count;
 
-/// Returns the numbers with 0 in place of those that are not finite.
-LaneNumbers finite(const LaneNumbers& x) { return select(is_finite(x), x, 0); }
+/// Returns the numbers where the mask is true, elsewhere 0.
+LaneNumbers where(LaneMask mask, const LaneNumbers& x) {
+  return LaneNumbers((LaneNumbers::Numbers)((LaneNumbers::Bits)x.v & mask.bits));
+}
+LaneNumbers finite(const LaneNumbers& x) { return where(is_finite(x), x); }
 
 double largest(const LaneNumbers& x) { return std::max({x[0], x[1], x[2], x[3]}); }
 
@@ -113,15 +116,17 @@ PerLevel<Refinement::Digits> Refinement::digits(const Certificate& c) const {
   PerLevel<std::array<double, 2>> correction{}, size{};
   size.position[1] = 1;  // [rad]
   for (const Level level : levels_) {
+    const std::span<const double> left = c.rest[level], by = c.correction[level],
+                                  values = next_[level];
     std::array<LaneNumbers, 2> rests{}, corrections{}, sizes{};
     for (std::size_t k = 0; k < lengths_.size(); ++k) {
-      const LaneNumbers r = finite(LaneNumbers::load(c.rest[level], count * k)),
-                        d = abs(LaneNumbers::load(c.correction[level], count * k)),
-                        x = finite(abs(LaneNumbers::load(next_[level], count * k)));
+      const LaneNumbers r = finite(LaneNumbers::load(left, count * k)),
+                        d = abs(LaneNumbers::load(by, count * k)),
+                        x = finite(abs(LaneNumbers::load(values, count * k)));
       for (const int kind : {0, 1}) {
         const LaneMask of_kind = kind == 0 ? lengths_[k] : !lengths_[k];
         const auto raise = [&](LaneNumbers& most, const LaneNumbers& to) {
-          most = max(select(of_kind, to, 0), most);
+          most = max(where(of_kind, to), most);
         };
         raise(rests[kind], r), raise(corrections[kind], d), raise(sizes[kind], x);
       }
