@@ -32,11 +32,11 @@ RelativeRadius relative_radius(const Model& m, const PerLevel<std::span<const do
       // Infinite: unproven, or of a level that is not solved.
       if (squares > largest.squares && squares < INFINITY) largest = {squares, e.group};
     }
-    for (const bool is_length : {false, true}) {
-      const auto& [squares, group] = rotation_and_length[is_length];
+    for (const bool lengths : {false, true}) {
+      const auto& [squares, group] = rotation_and_length[lengths];
       const double own = std::sqrt(squares) * above;
-      (is_length ? result.length : result.rotation)[level] = own;
-      const double scale = (is_length ? scales.length : scales.rotation)[level];
+      (lengths ? result.length : result.rotation)[level] = own;
+      const double scale = (lengths ? scales.length : scales.rotation)[level];
       if (scale == 0) continue;  // nothing has moved so far
       const double size = own / scale;
       result.largest[level] = std::max(result.largest[level], size);
