@@ -12,8 +12,8 @@ namespace desmo::report {
 struct Configuration {
   std::string formulation = {};  ///< <partition>_<equations>_<algebra>
   std::string guess = "previous", jacobian = "newton";
-  /// What ends a step: a fixed number of `iterations`; without one, the tolerance or, where that is
-  /// empty, too, the tolerance of the record's settings.
+  /// End of a step: a fixed number of `iterations`; without one, the tolerance. Where both are
+  /// empty, the tolerance of the record's settings.
   std::string iterations = {}, tolerance = {};
   /// All other suffixes: "lanes:8", "check:proof", and "scalar:float" of earlier records.
   std::vector<std::string> others = {};
