@@ -173,8 +173,8 @@ struct TaylorModel {
     const Bound far = a.variation();
     Bound last(1);  // dᵏ/k!, and in the end k = D + 1
     for (int k = 1; k <= D + 1; ++k) last = last * far * Bound((1 + 0x1p-51) / k);
-    TaylorModel sum;
-    for (int k = D; k >= 0; --k) sum = sum * d + term(k, derivatives[k % 4]);
+    TaylorModel sum = term(D, derivatives[D % 4]);
+    for (int k = D; k-- > 0;) sum = sum * d + term(k, derivatives[k % 4]);
     sum.rest = with_rounding(sum.rest + last, [] { return Bound(0); });
     return sum;
   }
