@@ -21,10 +21,6 @@ double norm(std::span<const double> values, const Entity& e) {
 
 }  // namespace
 
-bool is_length(EntityKind kind) {
-  return kind == EntityKind::point || kind == EntityKind::distance;
-}
-
 double nominal_size(const Model& m) {
   std::array<double, 3> low, high;
   low.fill(INFINITY);

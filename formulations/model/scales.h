@@ -11,7 +11,9 @@ namespace desmo {
 
 /// Returns whether entities of a kind are lengths: points and distances are; vectors (directions),
 /// angles and orientations are not.
-bool is_length(EntityKind kind);
+constexpr bool is_length(EntityKind kind) {
+  return kind == EntityKind::point || kind == EntityKind::distance;
+}
 
 /// Returns the size of a mechanism in its unit of length: the diagonal of the axis-parallel box
 /// around all points in the nominal position. A larger nominal value of a distance coordinate

@@ -65,7 +65,7 @@ Tally prove_steps(const Model& m, const std::vector<double>& begins, double leng
     for (std::size_t j = k; j <= k + stride; ++j)
       for (int i = 0; i < m.coordinates(); ++i) {
         constexpr double solved_to = 1e-12;  // of the solutions in between
-        const double tube = path.radius()[i], off = std::abs(at.q(j)[i] - path.centre(i, times[j]));
+        const double tube = path.radius(i), off = std::abs(at.q(j)[i] - path.centre(i, times[j]));
         EXPECT_LE(off, tube + solved_to * (1 + std::abs(at.q(j)[i])))
             << m.name << ", coordinate " << i << " at " << times[j];
         tally.widest = std::max(tally.widest, tube / (1 + std::abs(at.q(j)[i])));

@@ -110,7 +110,7 @@ bool BranchPath::contains(double time, std::span<const double> q,
                           std::span<const double> tolerances, double count) const {
   for (int i = 0; i < m_.coordinates(); ++i) {
     const double slack = count * tolerances[i];
-    if (!(std::abs(q[i] - path_.centre(i, time)) <= path_.radius()[i] + slack)) return false;
+    if (!(std::abs(q[i] - path_.centre(i, time)) <= path_.radius(i) + slack)) return false;
   }
   return true;
 }

@@ -68,7 +68,11 @@ LeftOutEquations::LeftOutEquations(const Model& m) : m_(m), equations_(left_out_
   refinement_.emplace(m);
   drivers_.resize(m.drivers.size());
   const CharacteristicLengths lengths(m);
-  for (const Equation& e : equations_) length_.push_back(lengths.of(m.constraints[e.constraint]));
+  for (std::size_t i = 0; i < equations_.size(); ++i) {
+    const Constraint& c = m.constraints[equations_[i].constraint];
+    length_.push_back(lengths.of(c));
+    if (!is_constant(m, c)) changing_.push_back(i);
+  }
   state_ = m.state_of(m.estimate);
 }
 
@@ -113,14 +117,13 @@ Misfit LeftOutEquations::misfit(std::size_t i, double residual) const {
 
 bool LeftOutEquations::look_along(const PathProof& step) {
   using Path = TaylorModel<double, path_degree>;
+  if (changing_.empty()) return true;  // for the others, check() is enough
   go_to(step, 0);
-  for (std::size_t i = 0; i < equations_.size(); ++i) {
-    // Equations between constants do not change along a step: check() is enough.
-    if (is_constant(m_, m_.constraints[equations_[i].constraint])) continue;
+  for (const std::size_t i : changing_) {
     const Path phi = value_of<Path>(varied_, equations_[i], [&](int k) {
       Path x;
       x.c = step.path(k);
-      x.rest = step.radius()[k];
+      x.rest = step.radius(k);
       return x;
     });
     const bool is_long = !(misfit(i, phi.magnitude()).relative <= max_misfit);
@@ -141,7 +144,10 @@ double LeftOutEquations::worst_place(std::size_t i, const PathProof& step) {
   double largest = -1, place = 0;
   for (const double s : looks) {
     go_to(step, s);
-    const double phi = std::abs(residual(equations_[i], state_, step.radius()).mid);
+    const double phi =
+        std::abs(value_of<Number>(varied_, equations_[i], [&](int k) { return Number(state_[k]); })
+                     .enclosure()
+                     .mid);
     if (phi > largest) largest = phi, place = s;
   }
   return place;
@@ -156,7 +162,7 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
   if (!point.proven) return false;
   // Next to a singular position, corrections may lead to another solution.
   for (int k = 0; k < m_.coordinates(); ++k)
-    if (!(std::abs(point.instant.q[k] - state_[k]) <= step.radius()[k] + point.radius.position[k]))
+    if (!(std::abs(point.instant.q[k] - state_[k]) <= step.radius(k) + point.radius.position[k]))
       return false;
   for (std::size_t k = 0; k < drivers_.size(); ++k)
     drivers_[k] = point.instant.q[m_.entities[m_.drivers[k].coordinate].first];

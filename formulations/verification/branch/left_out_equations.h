@@ -79,7 +79,8 @@ class LeftOutEquations {
   const Model& m_;
   Model varied_;
   std::vector<Equation> equations_;
-  std::vector<double> length_;  // characteristic length of each equation
+  std::vector<double> length_;         // characteristic length of each equation
+  std::vector<std::size_t> changing_;  // positions of the equations that are not between constants
   std::optional<Certifier> certifier_;
   std::optional<Refinement> refinement_;  // of instants between rows
   std::vector<double> state_, drivers_;

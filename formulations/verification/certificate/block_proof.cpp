@@ -29,8 +29,9 @@ BlockProof::BlockProof(const BatchSizes& largest) {
   lower_.reserve(2);
 }
 
-/// Takes the delivered numbers of all states and the errors of the inputs.
-void BlockProof::gather(Level level, const ErrorTable& errors) {
+/// Takes the delivered numbers of all states and the errors of the inputs. Returns in which lanes
+/// these errors are all bounded.
+LaneMask BlockProof::gather(Level level, const ErrorTable& errors) {
   const BlockBatch& b = *batch_;
   LaneInterval* x = state_[level].data();
   ErrorColumns& e = errors_[level];
@@ -42,6 +43,7 @@ void BlockProof::gather(Level level, const ErrorTable& errors) {
             level == Level::position ? b.equations.radius(i) : LaneNumbers(0)};
     at += LaneNumbers::count;
   }
+  LaneNumbers all(0);
   for (int j = shape_->unknowns; j < shape_->width(); ++j) {
     const int* row = &b.rows[LaneNumbers::count * j];
     LaneNumbers delivered = loaded(errors.rows[row[0]]), centre = loaded(errors.rows[row[1]]),
@@ -50,17 +52,12 @@ void BlockProof::gather(Level level, const ErrorTable& errors) {
     e.centre[j] = centre;
     e.own[j] = own;
     e.sum[j] = sum;
+    all += sum;
     // Rates have no radius yet: bound_rates() takes derivatives at the delivered rates of its
     // level. finish() then sets the radii for the next level.
     x[b.locals[j]] = {delivered, level == Level::position ? sum : LaneNumbers(0)};
   }
-}
-
-/// Returns in which lanes the errors of all inputs are bounded.
-LaneMask BlockProof::is_known(Level level) const {
-  LaneNumbers sum(0);
-  for (int j = shape_->unknowns; j < shape_->width(); ++j) sum += errors_[level].sum[j];
-  return is_finite(sum);
+  return is_finite(all);
 }
 
 /// Adds to the errors of the unknowns what X causes: factor × contracted_. Then sets the weights
@@ -176,8 +173,9 @@ PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<Er
   batch_ = &batch;
   up_to_ = up_to;
   shape_ = &batch.equations.shape();
+  PerLevel<LaneMask> are_inputs_known;
   for (const Level level : all_levels)
-    if (level <= up_to) gather(level, errors[level]);
+    if (level <= up_to) are_inputs_known[level] = gather(level, errors[level]);
   batch.equations.motion(state_, up_to, phi_);
   if (!batch.initial.empty()) add_homotopy(up_to, time);
   PerLevel<LaneMask> proven;
@@ -185,7 +183,7 @@ PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<Er
   condition_ = 0;
   for (const Level level : all_levels) {
     if (level > up_to) break;
-    lanes = lanes & is_known(level);  // lanes with unbounded inputs would fail later anyway
+    lanes = lanes & are_inputs_known[level];  // lanes with unbounded inputs would fail later anyway
     const LaneMask tried = lanes;
     if (lanes.any())
       lanes = level == Level::position ? prove_positions(errors, lanes)

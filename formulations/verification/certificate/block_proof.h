@@ -43,9 +43,8 @@ class BlockProof {
     Level errors;
   };
 
-  void gather(Level level, const ErrorTable& errors);
+  LaneMask gather(Level level, const ErrorTable& errors);
   void add_homotopy(Level level, double time);
-  LaneMask is_known(Level level) const;
   LaneMask prove_positions(PerLevel<ErrorTable>& errors, LaneMask lanes);
   LaneMask bound_rates(Level level, PerLevel<ErrorTable>& errors, LaneMask lanes);
   void finish(Level level, const LaneNumbers& factor);

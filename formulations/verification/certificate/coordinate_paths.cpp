@@ -19,18 +19,6 @@ EndValues<LaneNumbers> values_at(const CertifiedInstant& end, int first, Level l
   return values;
 }
 
-/// Returns the level up to which each of them is solved at both ends.
-/// - last: the last one that exists
-std::array<Level, LaneNumbers::count> levels_at(const CertifiedInstant& a,
-                                                const CertifiedInstant& b, int first, int last) {
-  std::array<Level, LaneNumbers::count> all;
-  all.fill(std::min(levels_of(a.values).back(), levels_of(b.values).back()));
-  for (const std::span<const Level> solved : {a.levels, b.levels})
-    for (int i = first; i <= last && !solved.empty(); ++i)
-      all[i - first] = std::min(all[i - first], solved[i]);
-  return all;
-}
-
 /// Bounds the distance of a path at an end from the farthest point of the certified box there, but
 /// for the rounding of this bound.
 LaneNumbers distance(const Quintic<LaneNumbers>& path, double s, const LaneNumbers& q,
@@ -50,28 +38,50 @@ LaneNumbers gap(const Quintic<LaneNumbers>& path, const LaneNumbers& first,
   return select(is_finite(first + last), widest, INFINITY);  // max() may drop a NaN
 }
 
+/// Paths of four coordinates: one register each for the first and the second half of a
+/// CoordinatePath.
+struct FourPaths {
+  std::array<LaneNumbers, LaneNumbers::count> low, high;
+};
+
+/// Returns the paths of four coordinates that are solved up to a level at both ends.
+FourPaths paths_of(const CertifiedInstant& from, const CertifiedInstant& to, const TimeSpan& span,
+                   int first, Level level) {
+  const EndValues<LaneNumbers> a = values_at(from, first, level, span.half),
+                               b = values_at(to, first, level, span.half);
+  const Quintic<LaneNumbers> p = hermite(a, b, level);
+  const LaneNumbers widest =
+      gap(p, distance(p, span.s(from.time), a.q, LaneNumbers::load(from.radius, first)),
+          distance(p, span.s(to.time), b.q, LaneNumbers::load(to.radius, first)));
+  FourPaths paths{{p[0], p[1], p[2], p[3]}, {p[4], p[5], widest, INFINITY}};
+  for (auto* half : {&paths.low, &paths.high})
+    transpose((*half)[0], (*half)[1], (*half)[2], (*half)[3]);
+  return paths;
+}
+
 }  // namespace
 
 /// Finds the path p(s) of each coordinate, a Hermite polynomial through both instants. Finds also
-/// its gap: the distance at the ends from the farthest point of the certified boxes.
+/// its gap: the distance at the ends from the farthest point of the certified boxes. No tube is
+/// proven yet.
 void PathProof::find_paths(const CertifiedInstant& from, const CertifiedInstant& to) {
   span_ = TimeSpan(from.time, to.time);
-  const double s0 = span_.s(from.time), s1 = span_.s(to.time);
+  const Level all = std::min(levels_of(from.values).back(), levels_of(to.values).back());
+  const auto level_of = [&](int i) {
+    Level level = all;
+    for (const std::span<const Level> solved : {from.levels, to.levels})
+      if (!solved.empty()) level = std::min(level, solved[i]);
+    return level;
+  };
+  const bool is_same = from.levels.empty() && to.levels.empty();
   for (int first = 0; first < m_.coordinates(); first += LaneNumbers::count) {
-    const int last = std::min(first + LaneNumbers::count, m_.coordinates()) - 1;
-    const auto levels = levels_at(from, to, first, last);
+    const int end = std::min(first + LaneNumbers::count, m_.coordinates());
     for (const Level level : all_levels) {
-      if (std::ranges::find(levels, level) == levels.end()) continue;
-      const EndValues<LaneNumbers> a = values_at(from, first, level, span_.half),
-                                   b = values_at(to, first, level, span_.half);
-      const Quintic<LaneNumbers> p = hermite(a, b, level);
-      const LaneNumbers widest = gap(p, distance(p, s0, a.q, LaneNumbers::load(from.radius, first)),
-                                     distance(p, s1, b.q, LaneNumbers::load(to.radius, first)));
-      std::array<LaneNumbers, 4> low{p[0], p[1], p[2], p[3]}, high{p[4], p[5], widest, INFINITY};
-      transpose(low[0], low[1], low[2], low[3]);
-      transpose(high[0], high[1], high[2], high[3]);
-      for (int i = first; i <= last; ++i)
-        if (levels[i - first] == level) paths_[i].set(low[i - first], high[i - first]);
+      if (level > all || (is_same && level < all)) continue;
+      const FourPaths paths = paths_of(from, to, span_, first, level);
+      for (int i = first; i < end; ++i)
+        if (is_same || level_of(i) == level)
+          paths_[i].set(paths.low[i - first], paths.high[i - first]);
     }
   }
 }
@@ -91,7 +101,7 @@ void PathProof::find_driven_paths() {
       paths_[i].path[k] = c.mid;
       rest += c.radius;
     }
-    radius_[i] = paths_[i].radius = rest * (1 + 16 * unit);
+    paths_[i].radius = rest * (1 + 16 * unit);
   }
 }
 

@@ -27,7 +27,7 @@ std::optional<double> first_knot(const Model& m, double from, double to) {
 }
 
 PathProof::PathProof(const Model& m, const Certifier& certifier)
-    : m_(m), schedule_(certifier.schedule()), paths_(m.coordinates()), radius_(m.coordinates()) {
+    : m_(m), schedule_(certifier.schedule()), paths_(m.coordinates()) {
   const auto& [n, width, states, columns] = schedule_->largest;
   states_.resize(states), slopes_.resize(states), curved_.resize(states);
   phi_.resize(n);
@@ -143,10 +143,7 @@ LaneMask PathProof::prove(BlockBatch& b) {
   for (int i = 0; i < n; ++i) {
     const LaneNumbers radius = (image_[i] + contracted_[i]) * (1 + 4 * unit);
     for (int lane = 0; lane < b.blocks(); ++lane)
-      if (proven[lane]) {
-        const int at = b.coordinates[LaneNumbers::count * i + lane];
-        radius_[at] = paths_[at].radius = radius[lane];
-      }
+      if (proven[lane]) paths_[b.coordinates[LaneNumbers::count * i + lane]].radius = radius[lane];
   }
   return proven;
 }
@@ -154,7 +151,6 @@ LaneMask PathProof::prove(BlockBatch& b) {
 PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
   if (first_knot(m_, from.time, to.time)) return {};
   find_paths(from, to);
-  std::ranges::fill(radius_, INFINITY);
   find_driven_paths();
   for (CertificationStep& step : schedule_->steps)
     for (BlockBatch& b : step.batches) {

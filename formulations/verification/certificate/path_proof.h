@@ -88,8 +88,8 @@ class PathProof {
   /// Allocates nothing.
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
 
-  /// Returns the radius of the tube of each coordinate after a proof.
-  std::span<const double> radius() const { return radius_; }
+  /// Returns the radius of a coordinate's tube after a proof.
+  double radius(int coordinate) const { return paths_[coordinate].radius; }
   /// Returns the tube's centre line at a time [s], up to rounding.
   double centre(int coordinate, double time) const;
   /// Returns the tube's centre line as a polynomial of s.
@@ -111,7 +111,6 @@ class PathProof {
   std::shared_ptr<BlockSchedule> schedule_;
   TimeSpan span_{-1, 1};
   std::vector<CoordinatePath> paths_;  // of each coordinate
-  std::vector<double> radius_;         // of their tubes
 
   // Values of the present batch.
   std::vector<PathValue> states_, phi_;
