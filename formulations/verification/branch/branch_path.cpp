@@ -89,13 +89,14 @@ const RefinedInstant& BranchPath::predict(double time) {
   return refinement_.refine(instant_of(time, predicted_.view().values));
 }
 
-/// Proves the step from the present instant to another one, earlier or later. A step that is not
-/// accepted (ask_about_steps()) counts as unproven.
-PathCertificate BranchPath::prove(const CertifiedInstant& to) {
-  PathCertificate c =
+/// Tests the step from the present instant to another one, earlier or later. Returns whether it is
+/// proven, and accepted (ask_about_steps()). Adds the test to the report, with the group that fails.
+bool BranchPath::proves(const CertifiedInstant& to, FollowedStep& report) {
+  ++report.tests;
+  const PathCertificate c =
       to.time < present_.time ? path_.prove(to, present_) : path_.prove(present_, to);
-  if (c.proven && is_accepted_) c.proven = is_accepted_(path_);
-  return c;
+  report.group = c.group;
+  return c.proven && (!is_accepted_ || is_accepted_(path_));
 }
 
 /// Returns `time`, or the first knot on the way there from the present time.
@@ -137,10 +138,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     const double left = time - present_.time;
     const double next = up_to_knot(std::abs(step) < std::abs(left) ? present_.time + step : time);
     if (next == time && to) {
-      ++result.tests;
-      const PathCertificate c = prove(*to);
-      result.group = c.group;
-      if (c.proven) {
+      if (proves(*to, result)) {
         ++result.sub_steps;
         // start_at() proves rates that the instant lacks. Rounding may prevent that: the step then
         // counts as stuck where it began.
@@ -155,15 +153,8 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       }
     }
     const RefinedInstant& found = predict(next);
-    bool proven = found.proven;
-    if (proven) {
-      ++result.tests;
-      const PathCertificate c = prove(certified(found));
-      result.group = c.group;
-      proven = c.proven;
-    } else {
-      result.group = found.last.group;
-    }
+    result.group = found.last.group;
+    const bool proven = found.proven && proves(certified(found), result);
     // The step to the instant failed, but the end that was found may be the same solution. Shorter
     // sub-steps tell.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {

@@ -63,7 +63,7 @@ class BranchPath {
 
  private:
   FollowedStep go(double time, const CertifiedInstant* to);
-  PathCertificate prove(const CertifiedInstant& to);
+  bool proves(const CertifiedInstant& to, FollowedStep& report);
   double up_to_knot(double time) const;
   void keep(const RefinedInstant& refined);
   const RefinedInstant& predict(double time);

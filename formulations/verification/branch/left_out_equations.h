@@ -61,12 +61,6 @@ class LeftOutEquations {
       between_ = found;
   }
 
-  /// Returns a bound on the distance of each coordinate from that of any mechanism that rounds to
-  /// the same file. Infinite: none is known. Two choices of equations mean the same motion if their
-  /// instants are within these radii. Needs any(). Valid until the next call of this, check() or
-  /// look_along().
-  std::span<const double> find_radius(const Instant& instant, const LiveRow* drivers = nullptr);
-
  private:
   Interval residual(const Equation& equation, std::span<const double> q,
                     std::span<const double> radius) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -62,6 +61,17 @@ void pass_at_start(const Model& m, const Model& going, double time, FoundStart& 
 struct Turns {
   std::vector<double> of_drivers, of_coordinates;
 };
+
+/// Returns the turns that each driver makes from the drawing to a time [s]; 0 for distances.
+std::vector<double> turns_to(const Model& m, double time) {
+  std::vector<double> turns;
+  for (const Driver& d : m.drivers) {
+    const Entity& e = m.entities[d.coordinate];
+    const double way = sample(d.motion, time).position - m.estimate[e.first];
+    turns.push_back(e.kind == EntityKind::angle ? way / turn : 0);
+  }
+  return turns;
+}
 
 /// Returns whether way × u > 1 rad for a driven angle. A step of a radian is then lost in the
 /// rounding of the time 1, and a path would be stuck at every step.
@@ -134,15 +144,12 @@ bool add_turns(const Model& m, const std::vector<double>& signs, double count,
 /// Turns of all drivers at once are tried if all have the same number, else those of each driver by
 /// itself.
 std::optional<Turns> turns_that_lead_back(const Model& m, double time, const FoundStart& nominal) {
-  Turns all{std::vector<double>(m.drivers.size()), std::vector<double>(m.coordinates())};
+  Turns all{turns_to(m, time), std::vector<double>(m.coordinates())};
   std::vector<double> signs(m.drivers.size());
   double most = 0;
   bool are_equal = true;
   for (std::size_t d = 0; d < signs.size(); ++d) {
-    const Entity& e = m.entities[m.drivers[d].coordinate];
-    if (e.kind != EntityKind::angle) continue;
-    const double way = sample(m.drivers[d].motion, time).position - m.estimate[e.first];
-    const double turns = all.of_drivers[d] = std::trunc(way / turn);
+    const double turns = all.of_drivers[d] = std::trunc(all.of_drivers[d]);
     if (turns == 0) continue;
     signs[d] = turns < 0 ? -1 : 1;
     are_equal &= most == 0 || most == std::abs(turns);
@@ -165,11 +172,7 @@ std::optional<Turns> turns_that_lead_back(const Model& m, double time, const Fou
 /// is hardly longer than a radian, a sixth of a turn.
 bool has_too_many_turns(const Model& m, double time) {
   constexpr double max_turns = BranchPath::max_tests / 6.;
-  return std::ranges::any_of(m.drivers, [&](const Driver& d) {
-    const Entity& e = m.entities[d.coordinate];
-    const double way = sample(d.motion, time).position - m.estimate[e.first];
-    return e.kind == EntityKind::angle && std::abs(way) > max_turns * turn;
-  });
+  return std::ranges::any_of(turns_to(m, time), [](double x) { return std::abs(x) > max_turns; });
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "formulations/model/scales.h"
 #include "formulations/modelling/independence/linearisation.h"
 #include "formulations/verification/branch/chosen_equations.h"
-#include "formulations/verification/range/locked_loops.h"
 #include "formulations/verification/range/singular_points.h"
 
 namespace desmo {
