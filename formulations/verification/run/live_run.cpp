@@ -124,17 +124,13 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
     c.begin.assign(certified(*found));
     const RelativeRadius radius = relative_radius(formulation_.model(), found->radius, scales());
     summary.radius = radius.largest;
-    const std::optional<RowFlag> misfit = c.follower->misfit_flag(*found, &row);
     if (radius.proves_no_digit())
       summary.flag = {.kind = RowFlag::Kind::unproven,
                       .group = radius.group,
                       .failure = ProofFailure::singular};
     else if (c.lost)
       summary.flag = c.lost;
-    if (misfit && summary.flag)  // a worse flag stays, with the misfit
-      summary.flag->misfit = misfit->misfit;
-    else if (misfit)
-      summary.flag = misfit;
+    c.follower->flag_misfit(*found, summary.flag, &row);
   } else {
     summary.radius = {INFINITY, INFINITY, INFINITY};
     summary.flag = {.kind = RowFlag::Kind::unproven,
