@@ -39,8 +39,8 @@ void BranchPath::keep(const RefinedInstant& r) {
   worst_conditioned_ = r.last.worst_conditioned;
 }
 
-/// Finds rates that the instant does not have from zeros: their equations are linear, so that
-/// corrections lead to them from anywhere.
+/// Missing rates are found from zeros: their equations are linear, so that corrections lead to the
+/// solution from anywhere.
 bool BranchPath::start_at(const CertifiedInstant& instant) {
   bool complete = true;
   for (const Level level : all_levels) {
@@ -90,7 +90,8 @@ const RefinedInstant& BranchPath::predict(double time) {
 }
 
 /// Tests the step from the present instant to another one, earlier or later. Returns whether it is
-/// proven, and accepted (ask_about_steps()). Adds the test to the report, with the group that fails.
+/// proven, and accepted (ask_about_steps()). Adds the test to the report, with the group that
+/// fails.
 bool BranchPath::proves(const CertifiedInstant& to, FollowedStep& report) {
   ++report.tests;
   const PathCertificate c =
@@ -155,8 +156,8 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     const RefinedInstant& found = predict(next);
     result.group = found.last.group;
     const bool proven = found.proven && proves(certified(found), result);
-    // The step to the instant failed, but the end that was found may be the same solution. Shorter
-    // sub-steps tell.
+    // No step to the instant is proven, but the solution found at its time may be the same one.
+    // Shorter sub-steps tell.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
       growth.failed();
       step = (next - present_.time) / 2;

@@ -19,9 +19,9 @@ namespace {
 
 using Number = Compensated<double>;
 
-/// Values of s in a step at which misfits are looked for. check() looks at the ends, which are
-/// instants. Right next to them a misfit would call for other equations although the step only
-/// begins or ends there.
+/// Values of s in a step at which misfits are looked for. The ends s = −1 and 1 are instants, which
+/// check() looks at. Values right next to the ends are left out: a misfit of an end reaches there,
+/// and would have the whole step followed by other equations.
 constexpr std::array looks{-0.875, -0.75, -0.625, -0.5, -0.375, -0.25, -0.125, 0.,
                            0.125,  0.25,  0.375,  0.5,  0.625,  0.75,  0.875};
 

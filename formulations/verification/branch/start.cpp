@@ -73,8 +73,8 @@ std::vector<double> turns_to(const Model& m, double time) {
   return turns;
 }
 
-/// Returns whether way × u > 1 rad for a driven angle. A step of a radian is then lost in the
-/// rounding of the time 1, and a path would be stuck at every step.
+/// Returns whether way × u > 1 rad for a driven angle, with u = 2⁻⁵³. A step of a radian is then
+/// lost in the rounding of the time 1, and a path would be stuck at every step.
 bool is_lost_in_rounding(const Model& going) {
   return std::ranges::any_of(going.drivers, [&](const Driver& d) {
     const double way = sample(d.motion, 0.).velocity;
@@ -83,8 +83,8 @@ bool is_lost_in_rounding(const Model& going) {
   });
 }
 
-/// Leads the drivers from the drawing to their values at a time, without the turns left out.
-/// Returns whether that is proven.
+/// Leads the drivers from the drawing to their values at a time [s], then adds the turns that were
+/// left out on the way. Returns whether the way is proven.
 bool lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart& found) {
   Model going = m;
   for (std::size_t d = 0; d < m.drivers.size(); ++d) {
@@ -121,7 +121,7 @@ void take_nearest_turns(const Model& m, FoundStart& found) {
 /// Returns whether one turn of some drivers leads back to where it begins; then further turns do,
 /// too. Adds the whole turns that coordinates make in all of them.
 /// - signs: direction of each driver's turn, 1 or −1; 0: it rests
-/// - count: number of turns in all
+/// - count: number of turns that each of these drivers makes in all
 bool add_turns(const Model& m, const std::vector<double>& signs, double count,
                const FoundStart& nominal, std::vector<double>& of_coordinates) {
   Model going = m;
@@ -182,8 +182,9 @@ FoundStart find_start(const Model& m, double time) {
   Model at_drawing = m;
   for (Driver& d : at_drawing.drivers)
     d.motion = Polynomial{{m.estimate[m.entities[d.coordinate].first]}};
-  // If the drawing has a certificate, no homotopy is needed: the same test proves all of it. X is
-  // symmetric about the drawing, and the homotopy's image, with λ times the centre, is inside, too.
+  // If the drawing has a certificate, no homotopy is needed: the same test proves all of it. For
+  // each λ ≤ 1 its image is that of the certificate with λ times the centre. It is inside X, too,
+  // since X is symmetric about the drawing.
   const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
   if (!drawing.proven) {
     found.group = drawing.group;

@@ -41,11 +41,11 @@ struct FoundStart {
 ///   Change points on the way are passed on the smooth continuation (pass_change_point()). The
 ///   motion may begin on one, if its drivers leave that smoothly.
 ///
-/// A part that is blocked is tried by other equations of overconstrained groups that are
-/// independent there (with_chosen_equations()), then change points; no other way is sought. A
-/// driver without a finite value blocks the way at 0. Angles that are neither driven nor coupled
-/// are taken within half a turn of the drawing. Positions are rounded: a Refinement at that time
-/// proves them, and finds rates. Allocates; keep it out of timed code.
+/// Where a part is blocked, other equations of overconstrained groups that are independent there
+/// are tried first (with_chosen_equations()). No other way is sought. A driver without a finite
+/// value blocks the way at 0. Angles that are neither driven nor coupled are taken within half a
+/// turn of the drawing. Positions are rounded: a Refinement at that time proves them, and finds
+/// rates. Allocates; keep it out of timed code.
 ///
 ///   const FoundStart start = find_start(model, grid.time(0));
 ///   if (start.stage == FoundStart::Stage::reached) use(start.q);

@@ -48,7 +48,6 @@ void RunningScales::take(const Instant& instant) {
   grow(instant.qdd, seen_.length.acceleration, seen_.rotation.acceleration);
 }
 
-/// An acceleration counts at least as min_scale · velocity² / position.
 Scales RunningScales::current() const {
   Scales scales = seen_;
   for (PerLevel<double>* of : {&scales.length, &scales.rotation})
