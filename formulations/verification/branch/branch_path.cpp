@@ -125,11 +125,13 @@ FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
 /// budget or halves the step, so it ends.
 FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
-  if (time == present_.time) {
-    result.time = time;
-    result.end = to && are_apart(*to, present_) ? PathEnd::other : PathEnd::same;
+  const auto ended = [&](PathEnd end) {
+    result.end = end;
+    result.time = present_.time;
     return result;
-  }
+  };
+  if (time == present_.time)
+    return ended(to && are_apart(*to, present_) ? PathEnd::other : PathEnd::same);
   double step = time - present_.time;
   const double shortest = std::abs(step) * Interval::unit;
   StepGrowth growth;
@@ -143,9 +145,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
         ++result.sub_steps;
         // start_at() proves rates that the instant lacks. Rounding may prevent that: the step then
         // counts as stuck where it began.
-        if (start_at(*to)) result.end = PathEnd::same;
-        result.time = present_.time;
-        return result;
+        return ended(start_at(*to) ? PathEnd::same : PathEnd::stuck);
       }
       if (tries_whole) {
         tries_whole = false;
@@ -165,19 +165,14 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       continue;
     }
     ++result.sub_steps;
-    result.time = next;
     keep(found);
-    if (next == time) {
-      result.end = to ? PathEnd::other : PathEnd::same;
-      return result;
-    }
+    if (next == time) return ended(to ? PathEnd::other : PathEnd::same);
     if (growth.succeeded()) step *= 2;
   }
-  result.time = present_.time;
   result.out_of_tests = result.tests >= budget_;
   // A nearly singular group spoils later ones, whose proofs may fail before its own.
   if (worst_conditioned_ != no_position) result.group = std::min(result.group, worst_conditioned_);
-  return result;
+  return ended(PathEnd::stuck);
 }
 
 }  // namespace desmo
