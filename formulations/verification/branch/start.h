@@ -33,9 +33,9 @@ struct FoundStart {
 /// Finds the positions at a time [s] on the branch that the model's estimate, the drawing,
 /// declares. Both parts of the way are followed in proven steps (BranchPath):
 ///
-/// - the drawing may not solve the equations. With the drivers as drawn, Newton's homotopy Φ(q) =
-///   (1 − λ) Φ(drawing) leads from there to a solution; all groups have one λ.
-/// - then all drivers go straight from where they are drawn to their values at that time. Driven
+/// - First, if the drawing does not solve the equations, Newton's homotopy leads to a solution:
+///   Φ(q) = (1 − λ) Φ(drawing), λ from 0 to 1, with the drivers as drawn. All groups have one λ.
+/// - Then all drivers go straight from where they are drawn to their values at that time. Driven
 ///   angles make their whole turns. If a path has too few tests for that, and turns lead back to
 ///   where they begin, all whole turns are left out.
 ///   Change points on the way are passed on the smooth continuation (pass_change_point()). The

@@ -75,7 +75,7 @@ struct IndependentMotions::SubmodelMotion {
   /// Goes on to a row, or begins again there. Returns whether the motion leads there.
   bool try_again(const Instant& wanted) {
     if (!is_blocked && take(wanted, false)) return true;
-    is_blocked = true;  // to all later rows, too
+    is_blocked = true;  // no path from the last row leads to later rows either
     if (!can_be_assembled(wanted.time)) return false;
     motion.begin(wanted.time);
     is_blocked = !take(wanted, false);

@@ -16,7 +16,7 @@
 
 namespace desmo {
 
-/// The proofs of the rows, and their memory.
+/// What proves rows, and what is kept from one row to the next.
 struct LiveRun::Checks {
   RowMotions motions;
   std::vector<Level> levels;  // of each coordinate
