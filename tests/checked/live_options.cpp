@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -54,6 +55,30 @@ TEST(LiveOptions, TellWhichRadiiLeaveNoDigit) {
     EXPECT_EQ(s.outcome(), share < 0.5 ? Outcome::converged : Outcome::degraded) << share;
     if (s.flag) EXPECT_EQ(s.flag->kind, RowFlag::Kind::unproven);
   }
+}
+
+/// The largest number of sub-steps leaves the proofs a budget, too.
+TEST(LiveOptions, AllowAnyNumberOfSubSteps) {
+  const Model m = four_bar_model(1);
+  const auto f = make_formulation(find_variant("group_automatic_eigen"), m);
+  LiveRun run(*f, {.max_sub_steps = std::numeric_limits<int>::max()});
+  for (const double t : {0.1, 0.2}) {
+    const LiveSummary s = run.step(DriverRow(m, t));
+    EXPECT_EQ(s.outcome(), Outcome::converged) << t << ": " << describe(s, m);
+  }
+}
+
+/// The next row is the first one again.
+TEST(LiveRun, TakesNoScaleFromRowsBeforeARestart) {
+  const Model m = four_bar_model(1);
+  const auto f = make_formulation(find_variant("group_automatic_eigen"), m);
+  LiveRun run(*f);
+  const Scales before = run.scales();
+  ASSERT_EQ(run.step(DriverRow(m, 0.1)).outcome(), Outcome::converged);
+  EXPECT_NE(run.scales().rotation, before.rotation);
+  run.restart();
+  EXPECT_EQ(run.scales().length, before.length);
+  EXPECT_EQ(run.scales().rotation, before.rotation);
 }
 
 /// On a dead point, rates are those that rounding leaves.

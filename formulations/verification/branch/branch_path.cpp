@@ -39,8 +39,8 @@ void BranchPath::keep(const RefinedInstant& r) {
   worst_conditioned_ = r.last.worst_conditioned;
 }
 
-/// Finds rates that the instant does not have from zeros: their equations are linear, so that
-/// corrections lead to them from anywhere.
+/// Missing rates are found from zeros: their equations are linear, so that corrections lead to the
+/// solution from anywhere.
 bool BranchPath::start_at(const CertifiedInstant& instant) {
   bool complete = true;
   for (const Level level : all_levels) {
@@ -89,13 +89,15 @@ const RefinedInstant& BranchPath::predict(double time) {
   return refinement_.refine(instant_of(time, predicted_.view().values));
 }
 
-/// Proves the step from the present instant to another one, earlier or later. A step that is not
-/// accepted (ask_about_steps()) counts as unproven.
-PathCertificate BranchPath::prove(const CertifiedInstant& to) {
-  PathCertificate c =
+/// Tests the step from the present instant to another one, earlier or later. Returns whether it is
+/// proven, and accepted (ask_about_steps()). Adds the test to the report, with the group that
+/// fails.
+bool BranchPath::proves(const CertifiedInstant& to, FollowedStep& report) {
+  ++report.tests;
+  const PathCertificate c =
       to.time < present_.time ? path_.prove(to, present_) : path_.prove(present_, to);
-  if (c.proven && is_accepted_) c.proven = is_accepted_(path_);
-  return c;
+  report.group = c.group;
+  return c.proven && (!is_accepted_ || is_accepted_(path_));
 }
 
 /// Returns `time`, or the first knot on the way there from the present time.
@@ -123,11 +125,13 @@ FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
 /// budget or halves the step, so it ends.
 FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
-  if (time == present_.time) {
-    result.time = time;
-    result.end = to && are_apart(*to, present_) ? PathEnd::other : PathEnd::same;
+  const auto ended = [&](PathEnd end) {
+    result.end = end;
+    result.time = present_.time;
     return result;
-  }
+  };
+  if (time == present_.time)
+    return ended(to && are_apart(*to, present_) ? PathEnd::other : PathEnd::same);
   double step = time - present_.time;
   const double shortest = std::abs(step) * Interval::unit;
   StepGrowth growth;
@@ -137,16 +141,11 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     const double left = time - present_.time;
     const double next = up_to_knot(std::abs(step) < std::abs(left) ? present_.time + step : time);
     if (next == time && to) {
-      ++result.tests;
-      const PathCertificate c = prove(*to);
-      result.group = c.group;
-      if (c.proven) {
+      if (proves(*to, result)) {
         ++result.sub_steps;
         // start_at() proves rates that the instant lacks. Rounding may prevent that: the step then
         // counts as stuck where it began.
-        if (start_at(*to)) result.end = PathEnd::same;
-        result.time = present_.time;
-        return result;
+        return ended(start_at(*to) ? PathEnd::same : PathEnd::stuck);
       }
       if (tries_whole) {
         tries_whole = false;
@@ -155,17 +154,10 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       }
     }
     const RefinedInstant& found = predict(next);
-    bool proven = found.proven;
-    if (proven) {
-      ++result.tests;
-      const PathCertificate c = prove(certified(found));
-      result.group = c.group;
-      proven = c.proven;
-    } else {
-      result.group = found.last.group;
-    }
-    // The step to the instant failed, but the end that was found may be the same solution. Shorter
-    // sub-steps tell.
+    result.group = found.last.group;
+    const bool proven = found.proven && proves(certified(found), result);
+    // No step to the instant is proven, but the solution found at its time may be the same one.
+    // Shorter sub-steps tell.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
       growth.failed();
       step = (next - present_.time) / 2;
@@ -173,19 +165,14 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       continue;
     }
     ++result.sub_steps;
-    result.time = next;
     keep(found);
-    if (next == time) {
-      result.end = to ? PathEnd::other : PathEnd::same;
-      return result;
-    }
+    if (next == time) return ended(to ? PathEnd::other : PathEnd::same);
     if (growth.succeeded()) step *= 2;
   }
-  result.time = present_.time;
   result.out_of_tests = result.tests >= budget_;
   // A nearly singular group spoils later ones, whose proofs may fail before its own.
   if (worst_conditioned_ != no_position) result.group = std::min(result.group, worst_conditioned_);
-  return result;
+  return ended(PathEnd::stuck);
 }
 
 }  // namespace desmo

@@ -11,7 +11,7 @@
 
 namespace desmo {
 
-/// Returns a view of a refined instant, which must be proven, as a certified instant.
+/// Returns a certified instant that views a refined one, which must be proven.
 /// - levels: see CertifiedInstant
 inline CertifiedInstant certified(const RefinedInstant& r, std::span<const Level> levels = {}) {
   return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position, levels};
@@ -26,7 +26,7 @@ inline CertifiedInstant certified(const RefinedInstant& r, std::span<const Level
 ///   if (path.follow(next).end == PathEnd::other) …          // the step has jumped
 class BranchPath {
  public:
-  static constexpr int max_tests = 10000;
+  static constexpr int max_tests = 10000;  ///< default budget
 
   /// budget: maximum number of path proofs in one call of follow() or go_to(), after which it is
   /// stuck. The model must outlive this object.
@@ -39,21 +39,22 @@ class BranchPath {
     is_accepted_ = std::move(is_accepted);
   }
 
-  /// Begins at a copy of an instant. Trusts an instant with all rates; else finds and proves the
-  /// missing ones. Returns whether that succeeds.
+  /// Begins at a copy of an instant. An instant with all rates counts as proven, and needs radii.
+  /// If rates are missing, finds them and proves the instant. Returns whether that succeeds.
   bool start_at(const CertifiedInstant& instant);
 
   /// Goes to the time of an instant, later or earlier. Then present() is the instant with all rates
   /// (`same`), the solution at that time on the motion followed (`other`), or the last proven
-  /// instant (`stuck`). If present() has that time already, it stays: `same` if both boxes meet,
-  /// else `other`.
+  /// instant (`stuck`). If present() has that time already, it stays: `same` if the certified
+  /// boxes of both instants meet, else `other`.
   FollowedStep follow(const CertifiedInstant& to);
   /// Goes to another time (`same`), or as far as the motion leads (`stuck`).
   FollowedStep go_to(double time);
 
-  /// Returns whether positions q at a time [s] of the last step lie in its tube, widened by count ×
-  /// tolerance of each coordinate, up to rounding. The step must have been proven at the first try
-  /// (FollowedStep::sub_steps == 1): after sub-steps, the tube is that of the last one tested.
+  /// Returns whether positions q at a time [s] of the last step lie in its tube, up to rounding.
+  /// The tube is widened by count × tolerance of each coordinate. The step must have been proven at
+  /// the first try (FollowedStep::sub_steps == 1): after sub-steps, the tube is that of the last
+  /// one tested.
   /// - q, tolerances: (coordinates)
   bool contains(double time, std::span<const double> q, std::span<const double> tolerances,
                 double count) const;
@@ -63,7 +64,7 @@ class BranchPath {
 
  private:
   FollowedStep go(double time, const CertifiedInstant* to);
-  PathCertificate prove(const CertifiedInstant& to);
+  bool proves(const CertifiedInstant& to, FollowedStep& report);
   double up_to_knot(double time) const;
   void keep(const RefinedInstant& refined);
   const RefinedInstant& predict(double time);

@@ -24,14 +24,14 @@ class Departure {
   double time_at(double distance) const;
 
   /// Returns about the first time after `time` at which one of the drivers turns back; `until` if
-  /// none does before. Looks at doubled steps: a turn and its return between two of them are not
-  /// seen.
+  /// none does before. Looks at times in doubled steps: if the driver turns back and forth
+  /// between two of them, that is not seen.
   double turn_after(double time, double until) const;
 
-  /// Returns whether the path of several drivers is not tangent to the line at the origin. It is
-  /// not if its angle to the line at the distance `near` is more than half of the angle at `far` >
-  /// `near`, beyond rounding. Also returns true if they never reach `far`. A single driver has no
-  /// corner.
+  /// Returns whether the path of several drivers leaves the origin in another direction than the
+  /// line. The angle to the line of a tangent path falls to zero with the distance. So there is a
+  /// corner if the angle at the distance `near` exceeds half of that at `far` > `near`, beyond
+  /// rounding. Also returns true if the drivers never reach `far`. A single driver has no corner.
   bool has_corner(double near, double far) const;
 
  private:

@@ -35,8 +35,8 @@ struct DriverLine {
   /// Replaces the motions of a model's drivers: they go along the line, with the arc as time.
   void lead(Model& model) const;
 
-  /// Numbers of each driver (drivers). A driver that is none of the line's has an infinite
-  /// magnitude and rate 0.
+  /// Nominal magnitude, value at the origin and rate dz/ds of each driver (drivers). A driver that
+  /// is none of the line's has an infinite magnitude and rate 0.
   std::vector<double> magnitudes, origin, rates;
 };
 

@@ -89,9 +89,10 @@ class VariedDrawing {
     }
   }
 
-  /// Sets the slack of a linear kind, whose factors vary with its operands. What the variation
-  /// leaves of Φ is a vector that turns with the body: each row may be off by its length. (Radii of
-  /// the factors themselves would be multiplied by the distance of points from the origin.)
+  /// Sets the slack of a linear kind, whose factors vary with its operands. The variation changes Φ
+  /// by a vector that turns with the body, so each row may be off by the length of that vector.
+  /// (Radii of the factors themselves would be multiplied by the distance of points from the
+  /// origin.)
   template <class Kind>
   void vary_rows(Constraint& c) const {
     const auto x = operands_of<Kind>(m_, c, state_.data());
@@ -110,7 +111,8 @@ class VariedDrawing {
     c.slack.assign(Kind::rows, radius * second_order);
   }
 
-  /// Sets the slack of a table's equation to what the digits of its arguments and values make up.
+  /// Sets the slack of a table's equation: the error that the last digits of its arguments and
+  /// values may cause.
   template <class Kind>
   void vary_table(Constraint& c) const {
     const std::vector<Derived>& numbers = c.constants;

@@ -17,7 +17,8 @@ struct FollowedStep {
   int tests = 0;                ///< path proofs
   int sub_steps = 0;            ///< 1: the step was proven at the first try
   double time = 0;              ///< of the last proven instant [s]
-  GroupId group = no_position;  ///< stuck: of the last failed proof, or nearly singular before
+  GroupId group = no_position;  ///< stuck: that of the last failed proof, or an earlier one that
+                                ///< is nearly singular
   bool out_of_tests = false;    ///< stuck: the budget ended; a smaller step may lead on
 };
 

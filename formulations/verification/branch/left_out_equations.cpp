@@ -19,9 +19,9 @@ namespace {
 
 using Number = Compensated<double>;
 
-/// Values of s in a step at which misfits are looked for. check() looks at the ends, which are
-/// instants. Right next to them a misfit would call for other equations although the step only
-/// begins or ends there.
+/// Values of s in a step at which misfits are looked for. The ends s = −1 and 1 are instants, which
+/// check() looks at. Values right next to the ends are left out: a misfit of an end reaches there,
+/// and would have the whole step followed by other equations.
 constexpr std::array looks{-0.875, -0.75, -0.625, -0.5, -0.375, -0.25, -0.125, 0.,
                            0.125,  0.25,  0.375,  0.5,  0.625,  0.75,  0.875};
 
@@ -96,11 +96,13 @@ std::optional<Misfit> LeftOutEquations::check(const RefinedInstant& refined,
     return fails(residual(e, q, refined.radius.position));
   };
   if (!refined.proven || std::ranges::none_of(equations_, fails_here)) return {};
-  const std::span<const double> known = find_radius(refined.instant, drivers);
+  const Instant positions = instant_of(refined.instant.time, {q});
+  const Certificate varied =
+      drivers ? certifier_->certify(positions, *drivers) : certifier_->certify(positions);
   std::ranges::copy(q, state_.begin());
   std::optional<Misfit> worst;
   for (std::size_t i = 0; i < equations_.size(); ++i) {
-    const Interval phi = residual(equations_[i], q, known);
+    const Interval phi = residual(equations_[i], q, varied.radius.position);
     if (!fails(phi)) continue;
     const Misfit found = misfit(i, phi.mid);
     if (found.relative > (worst ? worst->relative : 0)) worst = found;
@@ -175,14 +177,6 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
   // own box, shorter steps are given up: they would hardly prove more.
   const Interval phi = residual(equations_[i], point.instant.q, point.radius.position);
   return !(misfit(i, phi.magnitude()).relative <= max_misfit / 2);
-}
-
-std::span<const double> LeftOutEquations::find_radius(const Instant& instant,
-                                                      const LiveRow* drivers) {
-  const Instant positions = instant_of(instant.time, {instant.q});
-  const Certificate c =
-      drivers ? certifier_->certify(positions, *drivers) : certifier_->certify(positions);
-  return c.radius.position;
 }
 
 }  // namespace desmo

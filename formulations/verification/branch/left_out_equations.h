@@ -14,18 +14,19 @@
 
 namespace desmo {
 
-/// The equations of a model that modelling left out. They follow from others where a linkage
-/// closes, or are between constants. An equation may hold at an instant if its residual may vanish
-/// for some mechanism that rounds to the same file (with_file_variation()). A certificate for these
-/// mechanisms bounds how far their positions are from those of the file. So a linkage that closes
-/// before rounding is never flagged, and what is flagged is proven not to close.
+/// The equations of a model that modelling left out. They are between constants, or follow from
+/// others if the linkage closes. An equation may hold at an instant if its residual may vanish for
+/// some mechanism that rounds to the same file (with_file_variation()). A certificate bounds how
+/// far the positions of these mechanisms are from those of the file. So a linkage that closes
+/// before its numbers are rounded is never flagged, and a flagged one is proven not to close.
 ///
 ///   LeftOutEquations left_out(model);
 ///   if (const auto misfit = left_out.check(refined)) …   // no exact motion exists
 ///
-/// Between instants, each equation is enclosed along the tube of each step (PathProof). Steps are
-/// shortened until no misfit above `max_misfit`, which modelling refuses in a drawing, is
-/// overlooked, unless the file's digits or rounding leave it open at a point.
+/// Between instants, each equation is enclosed along the tube of each step (PathProof). A step is
+/// too long if the enclosure allows a misfit above `max_misfit`, which modelling refuses in a
+/// drawing, and none is found. Where the digits of the file or rounding leave open even at a point
+/// whether there is such a misfit, shorter steps are not asked for.
 ///
 /// check() costs an evaluation of these equations and, where the instant's own radii do not explain
 /// all residuals, a certificate of positions. One thread at a time may use this object.
@@ -61,16 +62,10 @@ class LeftOutEquations {
       between_ = found;
   }
 
-  /// Returns a bound on the distance of each coordinate from that of any mechanism that rounds to
-  /// the same file. Infinite: none is known. Two choices of equations mean the same motion if their
-  /// instants are within these radii. Needs any(). Valid until the next call of this, check() or
-  /// look_along().
-  std::span<const double> find_radius(const Instant& instant, const LiveRow* drivers = nullptr);
-
  private:
   Interval residual(const Equation& equation, std::span<const double> q,
                     std::span<const double> radius) const;
-  /// Returns the misfit of equation i with a residual. Slopes are taken at `state_`.
+  /// Returns the misfit that a residual of equation i means. Slopes are taken at `state_`.
   Misfit misfit(std::size_t i, double residual) const;
   void go_to(const PathProof& step, double s);
   double worst_place(std::size_t i, const PathProof& step);

@@ -15,8 +15,8 @@ namespace desmo {
 namespace {
 
 /// Proves the instant of the motion at a time, on the branch to which the line leads. Proves also
-/// that the motion goes on from there to a later time. If another group is stuck before that, at a
-/// point of its own, this is enough. Writes point.before and point.first.
+/// that the motion goes on from there to a later time, or to a point at which another group is
+/// stuck. Writes point.before and point.first.
 bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, double time,
                   double later, PassedPoint& point) {
   const PerLevel<std::vector<double>> z = drivers_at(m, time);
@@ -40,7 +40,7 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, dou
   BranchPath path(m);
   if (!path.start_at(certified(r))) return false;
   const FollowedStep step = path.go_to(later);
-  // Another group may be stuck at a point of its own, if that is as far from here again.
+  // The point at which another group is stuck must be as far from here as point.after is.
   const bool leads_away =
       step.group != group && path.present().time - point.after >= 2 * (time - point.after);
   if (step.end != PathEnd::same && !(group != no_position && leads_away)) return false;
@@ -76,8 +76,8 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
   return smooth;
 }
 
-/// Passes a change point of model m. The crossing is that of `smooth`, which has the same equations
-/// on this side of the point and no knots there.
+/// Passes a change point of model m. The crossing is found in `smooth`: it has the equations that m
+/// has just before the point, and no knot on it.
 std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const CertifiedInstant& last,
                                 std::span<const double> direction, double start, GroupId group) {
   StraightCrossing crossing(smooth, last, direction, group);

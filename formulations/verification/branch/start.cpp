@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -63,8 +62,19 @@ struct Turns {
   std::vector<double> of_drivers, of_coordinates;
 };
 
-/// Returns whether way × u > 1 rad for a driven angle. A step of a radian is then lost in the
-/// rounding of the time 1, and a path would be stuck at every step.
+/// Returns the turns that each driver makes from the drawing to a time [s]; 0 for distances.
+std::vector<double> turns_to(const Model& m, double time) {
+  std::vector<double> turns;
+  for (const Driver& d : m.drivers) {
+    const Entity& e = m.entities[d.coordinate];
+    const double way = sample(d.motion, time).position - m.estimate[e.first];
+    turns.push_back(e.kind == EntityKind::angle ? way / turn : 0);
+  }
+  return turns;
+}
+
+/// Returns whether way × u > 1 rad for a driven angle, with u = 2⁻⁵³. A step of a radian is then
+/// lost in the rounding of the time 1, and a path would be stuck at every step.
 bool is_lost_in_rounding(const Model& going) {
   return std::ranges::any_of(going.drivers, [&](const Driver& d) {
     const double way = sample(d.motion, 0.).velocity;
@@ -73,8 +83,8 @@ bool is_lost_in_rounding(const Model& going) {
   });
 }
 
-/// Leads the drivers from the drawing to their values at a time, without the turns left out.
-/// Returns whether that is proven.
+/// Leads the drivers from the drawing to their values at a time [s], then adds the turns that were
+/// left out on the way. Returns whether the way is proven.
 bool lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart& found) {
   Model going = m;
   for (std::size_t d = 0; d < m.drivers.size(); ++d) {
@@ -111,7 +121,7 @@ void take_nearest_turns(const Model& m, FoundStart& found) {
 /// Returns whether one turn of some drivers leads back to where it begins; then further turns do,
 /// too. Adds the whole turns that coordinates make in all of them.
 /// - signs: direction of each driver's turn, 1 or −1; 0: it rests
-/// - count: number of turns in all
+/// - count: number of turns that each of these drivers makes in all
 bool add_turns(const Model& m, const std::vector<double>& signs, double count,
                const FoundStart& nominal, std::vector<double>& of_coordinates) {
   Model going = m;
@@ -134,15 +144,12 @@ bool add_turns(const Model& m, const std::vector<double>& signs, double count,
 /// Turns of all drivers at once are tried if all have the same number, else those of each driver by
 /// itself.
 std::optional<Turns> turns_that_lead_back(const Model& m, double time, const FoundStart& nominal) {
-  Turns all{std::vector<double>(m.drivers.size()), std::vector<double>(m.coordinates())};
+  Turns all{turns_to(m, time), std::vector<double>(m.coordinates())};
   std::vector<double> signs(m.drivers.size());
   double most = 0;
   bool are_equal = true;
   for (std::size_t d = 0; d < signs.size(); ++d) {
-    const Entity& e = m.entities[m.drivers[d].coordinate];
-    if (e.kind != EntityKind::angle) continue;
-    const double way = sample(m.drivers[d].motion, time).position - m.estimate[e.first];
-    const double turns = all.of_drivers[d] = std::trunc(way / turn);
+    const double turns = all.of_drivers[d] = std::trunc(all.of_drivers[d]);
     if (turns == 0) continue;
     signs[d] = turns < 0 ? -1 : 1;
     are_equal &= most == 0 || most == std::abs(turns);
@@ -165,11 +172,7 @@ std::optional<Turns> turns_that_lead_back(const Model& m, double time, const Fou
 /// is hardly longer than a radian, a sixth of a turn.
 bool has_too_many_turns(const Model& m, double time) {
   constexpr double max_turns = BranchPath::max_tests / 6.;
-  return std::ranges::any_of(m.drivers, [&](const Driver& d) {
-    const Entity& e = m.entities[d.coordinate];
-    const double way = sample(d.motion, time).position - m.estimate[e.first];
-    return e.kind == EntityKind::angle && std::abs(way) > max_turns * turn;
-  });
+  return std::ranges::any_of(turns_to(m, time), [](double x) { return std::abs(x) > max_turns; });
 }
 
 }  // namespace
@@ -179,8 +182,9 @@ FoundStart find_start(const Model& m, double time) {
   Model at_drawing = m;
   for (Driver& d : at_drawing.drivers)
     d.motion = Polynomial{{m.estimate[m.entities[d.coordinate].first]}};
-  // If the drawing has a certificate, no homotopy is needed: the same test proves all of it. X is
-  // symmetric about the drawing, and the homotopy's image, with λ times the centre, is inside, too.
+  // If the drawing has a certificate, no homotopy is needed: the same test proves all of it. For
+  // each λ ≤ 1 its image is that of the certificate with λ times the centre. It is inside X, too,
+  // since X is symmetric about the drawing.
   const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
   if (!drawing.proven) {
     found.group = drawing.group;

@@ -33,19 +33,19 @@ struct FoundStart {
 /// Finds the positions at a time [s] on the branch that the model's estimate, the drawing,
 /// declares. Both parts of the way are followed in proven steps (BranchPath):
 ///
-/// - the drawing may not solve the equations. With the drivers as drawn, Newton's homotopy Φ(q) =
-///   (1 − λ) Φ(drawing) leads from there to a solution; all groups have one λ.
-/// - then all drivers go straight from where they are drawn to their values at that time. Driven
+/// - First, if the drawing does not solve the equations, Newton's homotopy leads to a solution:
+///   Φ(q) = (1 − λ) Φ(drawing), λ from 0 to 1, with the drivers as drawn. All groups have one λ.
+/// - Then all drivers go straight from where they are drawn to their values at that time. Driven
 ///   angles make their whole turns. If a path has too few tests for that, and turns lead back to
 ///   where they begin, all whole turns are left out.
 ///   Change points on the way are passed on the smooth continuation (pass_change_point()). The
 ///   motion may begin on one, if its drivers leave that smoothly.
 ///
-/// A part that is blocked is tried by other equations of overconstrained groups that are
-/// independent there (with_chosen_equations()), then change points; no other way is sought. A
-/// driver without a finite value blocks the way at 0. Angles that are neither driven nor coupled
-/// are taken within half a turn of the drawing. Positions are rounded: a Refinement at that time
-/// proves them, and finds rates. Allocates; keep it out of timed code.
+/// Where a part is blocked, other equations of overconstrained groups that are independent there
+/// are tried first (with_chosen_equations()). No other way is sought. A driver without a finite
+/// value blocks the way at 0. Angles that are neither driven nor coupled are taken within half a
+/// turn of the drawing. Positions are rounded: a Refinement at that time proves them, and finds
+/// rates. Allocates; keep it out of timed code.
 ///
 ///   const FoundStart start = find_start(model, grid.time(0));
 ///   if (start.stage == FoundStart::Stage::reached) use(start.q);

@@ -53,7 +53,7 @@ void StraightCrossing::find_nodes(const CertifiedInstant& last) {
     if (!before_.start_at({-s, {q, {}, {}}, {}})) continue;
     // The value 2 does not matter: where it is too far, h is halved.
     before_.go_to(-2);
-    if (before_.present().time > -8 * s) continue;  // too few halvings
+    if (before_.present().time > -8 * s) continue;  // has fewer than three halvings
     nodes_.clear();
     if (std::optional<Node> farthest = node(before_.present()))
       nodes_.push_back(std::move(*farthest));
@@ -122,7 +122,8 @@ Quintic<Interval> StraightCrossing::polynomial(const Node& a, const Node& b, int
   return hermite(end(a), end(b), Level::acceleration);
 }
 
-/// Compares the quintic through two nodes, extended at a level, with an instant beyond.
+/// Compares the quintic through the two nodes of a level, extended beyond the point, with an
+/// instant there.
 StraightCrossing::Miss StraightCrossing::miss(int level, const Node& beyond) const {
   const Node &far = nodes_[level], &near = nodes_[level + 1];
   Miss result;
@@ -130,7 +131,7 @@ StraightCrossing::Miss StraightCrossing::miss(int level, const Node& beyond) con
     const Interval extended = value_at(polynomial(far, near, i), Interval(extension));
     result.amount.push_back(std::abs(extended.mid - beyond.values.position[i]));
     result.rounding.push_back(extended.radius + beyond.radius.position[i]);
-    // Above twice the rounding, a miss is known to a factor of two, and so is its fall.
+    // Above twice the rounding, a miss is known to a factor of two.
     result.is_hidden &= result.amount[i] <= 2 * result.rounding[i];
     result.shows_jumps &= result.rounding[i] < magnitudes_[i] * std::pow(beyond.s, 5);
   }
@@ -151,14 +152,13 @@ double StraightCrossing::measure_fall(int level, std::span<const double> positio
   double least = INFINITY, bottom = 0, deepest = 0;
   bool falls = true;
   for (int k = level;; ++k) {
-    // At a distance of u points of the line are rounded themselves: paths would pass without a
-    // change point.
+    // At distances of the roundoff u, drivers are rounded to other points of the line: a path might
+    // pass the change point unnoticed.
     const bool is_led = distance(k) > Interval::unit && reach_nodes(k + 2) &&
                         beyond_.go_to(distance(k)).end == PathEnd::same;
     const std::optional<Node> end = is_led ? node(beyond_.present()) : std::nullopt;
-    // Branches may meet only but for the rounding of lengths. They then pass each other by, and the
-    // miss grows again towards the point. The miss of another branch that really meets falls all
-    // the way.
+    // Branches that would meet with exact lengths may pass each other closely: their miss grows
+    // again towards the point. The miss of another branch that does meet falls all the way.
     if (!end) return !falls && deepest >= bottom ? least : 0;
     const Miss now = miss(k, *end);
     if (k == level) {
@@ -169,7 +169,8 @@ double StraightCrossing::measure_fall(int level, std::span<const double> positio
       deepest = now.over(last.rounding);
       continue;
     }
-    // A miss hidden from the start counts only if jumps would be seen: the motion may be a quintic.
+    // The first miss of a motion that is a quintic is hidden by rounding. That proves smoothness
+    // only if a jump would be seen.
     if (now.is_hidden && k == level && !(level == 0 && now.shows_jumps)) return 0;
     const double coarse = k > level ? last.over(now.rounding) : 0;
     const double fine = std::max(now.over(now.rounding), 2.0);

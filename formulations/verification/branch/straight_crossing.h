@@ -45,8 +45,8 @@ class StraightCrossing {
 
   /// Returns the least factor by which the miss falls from one halving to the next, until rounding
   /// hides it. If the first factor is less than min_fall, returns that one; 0 if nothing is proven
-  /// or seen beyond. Lengths may make branches meet only but for their rounding. Such branches pass
-  /// each other by: a miss that grows again towards the point counts as rounding. Overwrites
+  /// or seen beyond. Rounded lengths may turn branches that meet into branches that pass each other
+  /// closely. The miss then grows again towards the point, which counts as rounding. Overwrites
   /// reach(), positions() and width().
   /// - level: number of halvings before the first h, distance(level)
   /// - beyond: positions at the distance h, or near them

@@ -12,7 +12,7 @@ namespace desmo {
 /// paths share one memory.
 class StraightPath {
  public:
-  /// The model must outlive this object; its motions are not read.
+  /// The model must outlive this object. Paths do not follow its own motions.
   explicit StraightPath(const Model& model) : m_(model), straight_(model), path_(straight_) {}
   explicit StraightPath(const Model&& model) = delete;
   StraightPath(const StraightPath&) = delete;

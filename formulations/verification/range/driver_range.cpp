@@ -9,7 +9,6 @@
 
 #include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/range/driver_sweep.h"
-#include "formulations/verification/range/singular_points.h"
 
 namespace desmo {
 

@@ -12,7 +12,6 @@
 #include "formulations/model/scales.h"
 #include "formulations/modelling/independence/linearisation.h"
 #include "formulations/verification/branch/chosen_equations.h"
-#include "formulations/verification/range/locked_loops.h"
 #include "formulations/verification/range/singular_points.h"
 
 namespace desmo {
@@ -89,7 +88,8 @@ RangeEnd DriverSweep::end(RangeStop stop, const Point& point) const {
   return {.stop = stop, .value = value, .beyond = value};
 }
 
-/// Returns the end at the last point that is reached: several loops lock there, or not_reached.
+/// Returns the end of a sweep that goes no further than a point: a lock of several loops at once,
+/// or RangeStop::not_reached.
 RangeEnd DriverSweep::stuck_at(const Point& point, const EarlierPoint& far) {
   if (const std::optional<Point> before = curve().step(far.point, far.arc - limits_.locking_arc()))
     if (auto lock = find_joint_lock(model(), curve(), *before, point, direction_))

@@ -55,7 +55,7 @@ LockedLoops find_locked_loops(const Model& m, const SolutionCurve& curve,
     }
     if (nullity == 0) continue;
     for (const GroupId group : block.groups) add(locked.groups, group);
-    // Several equal singular values have no unique vectors; norms of rows do not depend on these.
+    // Vectors of equal singular values are not unique, but the norms of rows of all of them are.
     const Eigen::VectorXd change = here.matrixV().rightCols(nullity).rowwise().norm();
     for (Eigen::Index j = 0; j < n; ++j)
       if (change[j] > curve.limits().locking_arc() * change.maxCoeff())

@@ -15,7 +15,7 @@ namespace {
 
 using Point = SolutionCurve::Point;
 
-constexpr double u = std::numeric_limits<double>::epsilon();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Writes to an end the loops that lock and the constraints that hold them. Moves `beyond` by what
 /// rounding of Φ may change.
@@ -49,7 +49,7 @@ std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, c
   double weight_low = forward(low), weight_high = -forward(*high);
   // The speed falls towards the dead point. So the driver's value at either end is off by at most
   // its speed × the arc between both.
-  while (std::min(forward(low), -forward(*high)) * (at_high - at_low) > u) {
+  while (std::min(forward(low), -forward(*high)) * (at_high - at_low) > epsilon) {
     const double at = at_low + (at_high - at_low) * weight_low / (weight_low + weight_high);
     std::optional<Point> middle = curve.step(from, at);
     if (!middle) return {};
@@ -90,7 +90,7 @@ std::optional<RangeEnd> find_joint_lock(const Model& m, SolutionCurve& curve, co
   const double speed = direction * before.speed(),
                mean = direction * (curve.value(last) - curve.value(before)) / curve.scale() /
                       locking_arc;
-  // A speed that falls like a line is 2 mean − speed at the end: it must have halved.
+  // A speed that falls linearly from `before` is 2 mean − speed at `last`: it must have halved.
   if (!(speed > 0 && 2 * mean - speed < speed / 2)) return {};
   RangeEnd e{
       .stop = RangeStop::dead_point, .value = curve.value(last), .beyond = curve.value(last)};
@@ -100,6 +100,7 @@ std::optional<RangeEnd> find_joint_lock(const Model& m, SolutionCurve& curve, co
   if (locked.moving.empty()) return {};
   const double left = locked.left;
   name_culprits(curve, std::move(locked), end, direction, e);
+  // The speed at `last` times the arc that is left from there, at most.
   const double beyond = (left * speed) * (2 * left * locking_arc);
   if (!(beyond < curve.limits().accuracy)) return {};
   e.beyond += direction * beyond * curve.scale();

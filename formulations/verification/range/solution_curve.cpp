@@ -35,7 +35,7 @@ SolutionCurve::SolutionCurve(const Model& m, int driver, const RangeLimits& limi
       row_(system_.rows(), -1),
       constraints_(m.constraints.size()),
       phi_(system_.rows()) {
-  std::vector<std::vector<int>> rows_of;  // by constraint and row: in the whole system
+  std::vector<std::vector<int>> rows_of;  // in the whole system, of each constraint; −1: left out
   int row = 0;
   for (const Constraint& c : m.constraints) {
     std::vector<int>& rows = rows_of.emplace_back();

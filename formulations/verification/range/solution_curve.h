@@ -17,10 +17,12 @@ namespace desmo {
 /// followed by its arc (Keller 1977): a predictor goes along the tangent t, and Newton's method
 /// corrects in the plane across it. Its matrix
 ///
-///   B = [Φ_φ  Φ_z]  rows over their sums, columns times characteristic lengths (rad for angles)
+///   B = [Φ_φ  Φ_z]
 ///       [   tᵀ   ]
 ///
-/// is regular at dead points, where Φ_φ is singular and the driver turns back.
+/// has columns multiplied by characteristic lengths (1 rad for angles). The rows of Φ are then
+/// divided by the sums of their magnitudes. B is regular at dead points, where Φ_φ is singular and
+/// the driver turns back.
 class SolutionCurve {
  public:
   /// A position on the curve.
@@ -60,7 +62,8 @@ class SolutionCurve {
   /// direction.
   static Point reversed(Point point);
 
-  /// Magnitudes of Lagrange multipliers, of rows over their sums, for a unit force on the driver.
+  /// Magnitudes of Lagrange multipliers, of rows divided by their sums, for a unit force on the
+  /// driver.
   struct Forces {
     std::vector<double> of_constraints;  ///< largest of each constraint, over the largest of all
     double rounding;  ///< change of the driver's value that rounding of Φ may cause

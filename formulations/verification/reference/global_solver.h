@@ -12,8 +12,8 @@ namespace desmo {
 /// Solver of all equations of a model at once, in the scalar S (Quadruple, or double for positions
 /// alone). The residuals alone determine the result: jets evaluate Φ, Φ̇ and Φ̈ in S, and the rates
 /// make Φ̇ and Φ̈ vanish. Sparse LU factors in double precision only steer the iteration: each
-/// correction divides the error by about 1/(κ u), with the condition number κ. The partition and
-/// the quadratic terms are not used.
+/// correction multiplies the error by about κ u, with the condition number κ and u = 2⁻⁵³. The
+/// partition and the quadratic terms are not used.
 template <class S>
 class GlobalSolver : public ReferenceSolver<S> {
  public:

@@ -14,7 +14,8 @@ namespace desmo {
 /// can be assembled, even in a singular position. Levenberg and Marquardt's method minimises the
 /// sum of squares of (equation / its magnitude). Allocates: keep it out of timed code.
 /// - state: start of the search: the last solved instant, with the drivers of the failed one
-/// - settings: a group is assembled if ‖Φ‖₂ of its weighted equations is below the tolerance
+/// - settings: a group counts as assembled if ‖Φ‖₂ of its weighted equations is below the tolerance
+///   or default_tolerance, whichever is larger
 std::optional<Misfit> find_assembly_error(const Model& model, std::vector<double> state,
                                           const Settings& settings);
 

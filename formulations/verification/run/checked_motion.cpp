@@ -135,9 +135,9 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
   return false;
 }
 
-/// Returns whether the way from the last instant contradicts left-out equations by more than digits
-/// of the file explain. Where a linkage closes but for its digits, branches of the kept equations
-/// may miss each other where all equations together go straight on.
+/// Returns whether a left-out equation is off by more than max_misfit at the present instant or on
+/// the way to it. Where a linkage closes only to its digits, two branches of the kept equations may
+/// pass each other closely. A path then turns into the other branch, while the mechanism goes on.
 bool CheckedMotion::is_led_astray() const {
   const LeftOutEquations& left_out = follower_->left_out;
   std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;

@@ -16,8 +16,8 @@ namespace desmo {
 /// follows the steps between them, and says what is proven of each.
 class CheckedMotion {
  public:
-  /// levels: level up to which each coordinate is solved (Plan::levels); empty: as each instant.
-  /// Model and levels must outlive this object.
+  /// levels: level up to which each coordinate is solved (Plan::levels); empty: up to the levels of
+  /// each instant. Model and levels must outlive this object.
   CheckedMotion(const Model& model, std::span<const Level> levels);
 
   /// Goes from the drawing to a time [s], at which the motion begins. The next instant that is
@@ -44,7 +44,8 @@ class CheckedMotion {
   /// Returns the instant that the path reached last. Rows whose branch is unknown may be later.
   const CertifiedInstant& present() const { return follower_->path.present(); }
 
-  /// Returns the positions up to which the motion was followed from the drawing; empty: not known.
+  /// Returns the last positions to which the motion is proven to lead from the drawing, or from
+  /// where it began again. Empty: they are not known.
   std::vector<double> followed_to() const {
     if (!follows()) return start() == FoundStart::Stage::reached ? std::vector<double>() : start_.q;
     const std::span<const double> q = present().values.position;

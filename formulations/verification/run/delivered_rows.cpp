@@ -10,11 +10,7 @@ void CheckedMotion::deliver(const RefinedInstant& r) {
   result_.radius = r.radius;
   result_.condition = r.last.condition;
   if (r.proven) {
-    const std::optional<RowFlag> flag = follower_->misfit_flag(r);
-    if (flag && result_.flag)  // the flag stays of its kind, and has the misfit, too
-      result_.flag->misfit = flag->misfit;
-    else if (flag)
-      result_.flag = flag;
+    follower_->flag_misfit(r, result_.flag);
     return;
   }
   result_.flag = {.kind = RowFlag::Kind::unproven,

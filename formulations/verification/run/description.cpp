@@ -1,5 +1,4 @@
 // Sentences that describe a checked run or a live row.
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>

@@ -24,7 +24,8 @@ RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time) {
           .out_of_tests = start.out_of_tests};
 }
 
-std::optional<RowFlag> Follower::misfit_flag(const RefinedInstant& r, const LiveRow* live) {
+void Follower::flag_misfit(const RefinedInstant& r, std::optional<RowFlag>& flag,
+                           const LiveRow* live) {
   const double offset = live ? live->time : 0;
   std::optional<Misfit> misfit = left_out.check(r, live);
   double time = offset + r.instant.time;
@@ -33,12 +34,13 @@ std::optional<RowFlag> Follower::misfit_flag(const RefinedInstant& r, const Live
     misfit = between->misfit;
     time = offset + between->time;
   }
-  if (!misfit) return {};
-  return RowFlag{.kind = RowFlag::Kind::misfit,
-                 .after = time,
-                 .before = time,
-                 .group = model.constraints[misfit->constraint].group,
-                 .misfit = misfit};
+  if (!misfit) return;
+  if (!flag)
+    flag = {.kind = RowFlag::Kind::misfit,
+            .after = time,
+            .before = time,
+            .group = model.constraints[misfit->constraint].group};
+  flag->misfit = misfit;
 }
 
 }  // namespace desmo

@@ -23,11 +23,14 @@ struct Follower {
   Follower(const Follower&) = delete;
   Follower& operator=(const Follower&) = delete;
 
-  /// Returns a flag if a left-out equation does not hold at a row, or on the way from the row
-  /// before. The caller sets RowFlag::time. Forgets the misfit that left_out has noted on the way.
+  /// Flags a row if a left-out equation does not hold there, or on the way from the row before.
+  /// Forgets the misfit that left_out has noted on the way.
   /// - refined: the row's instant
+  /// - flag: of the row. Another flag keeps its kind and gets the misfit, too. In a new one, the
+  ///   caller sets RowFlag::time.
   /// - live: row that was handed in, whose time is 0 in `path`; null: the model's motions drive
-  std::optional<RowFlag> misfit_flag(const RefinedInstant& refined, const LiveRow* live = nullptr);
+  void flag_misfit(const RefinedInstant& refined, std::optional<RowFlag>& flag,
+                   const LiveRow* live = nullptr);
 
   std::unique_ptr<const Model> chosen;
   const Model& model;

@@ -52,8 +52,8 @@ struct IndependentMotions::SubmodelMotion {
     passed = last_passed;
   }
 
-  /// Returns the flag of a row that was taken, or of a change point that was passed in a row before
-  /// it which was left out.
+  /// Returns the flag of a row that was taken. If rows before it were left out, a change point that
+  /// was passed there flags this row, unless its own flag is as bad.
   std::optional<RowFlag> flag_of(const CheckedInstant& row) const {
     if (!passed || (row.flag && row.flag->kind <= passed->kind)) return row.flag;
     RowFlag flag = *passed;
@@ -75,7 +75,7 @@ struct IndependentMotions::SubmodelMotion {
   /// Goes on to a row, or begins again there. Returns whether the motion leads there.
   bool try_again(const Instant& wanted) {
     if (!is_blocked && take(wanted, false)) return true;
-    is_blocked = true;  // to all later rows, too
+    is_blocked = true;  // no path from the last row leads to later rows either
     if (!can_be_assembled(wanted.time)) return false;
     motion.begin(wanted.time);
     is_blocked = !take(wanted, false);
@@ -92,8 +92,8 @@ struct IndependentMotions::SubmodelMotion {
   bool is_blocked = false;
 
  private:
-  /// Returns whether a formulation assembles the mechanism at a time [s]. A way from the drawing
-  /// that is blocked costs a hundred times as much.
+  /// Returns whether a formulation assembles the mechanism at a time [s]. To begin the motion
+  /// there, only to find its way from the drawing blocked, costs a hundred times as much.
   bool can_be_assembled(double time) {
     if (!formulation)
       formulation = make_formulation(find_variant("group_automatic_lapack"), submodel.model);

@@ -23,10 +23,11 @@ class IndependentMotions {
   ~IndependentMotions();
 
   void begin(double time);
-  /// Tries a row after one that could not be solved, where there are several mechanisms. Those that
-  /// can be followed to it are; the others begin again there. Returns whether all get there. Where
-  /// one does not, the others go on from this row: they keep their branches and turns.
-  /// wanted: the row, as for solve()
+  /// Tries a row after one that could not be solved. Follows each mechanism to it or, where that is
+  /// not possible, begins it again there. Returns whether all get there; false if there is only one
+  /// mechanism. Those that get there go on from this row in any case, with their branches and
+  /// turns.
+  /// - wanted: the row, as for solve()
   bool try_again(const Instant& wanted);
   /// Makes the row of the last try_again() the next one: a single mechanism begins again there.
   void begin_again(double time);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -15,7 +16,7 @@
 
 namespace desmo {
 
-/// The proofs of the rows, and their memory.
+/// What proves rows, and what is kept from one row to the next.
 struct LiveRun::Checks {
   RowMotions motions;
   std::vector<Level> levels;  // of each coordinate
@@ -60,8 +61,9 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
   }
   checks_->begin = InstantCopy(n);
   if (options.check == CheckMode::proof)
-    checks_->follower.emplace(nullptr, checks_->motions.model(), checks_->levels,
-                              options.max_sub_steps + 1);
+    checks_->follower.emplace(
+        nullptr, checks_->motions.model(), checks_->levels,
+        std::min(options.max_sub_steps, std::numeric_limits<int>::max() - 1) + 1);
   restart();
 }
 
@@ -122,17 +124,13 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
     c.begin.assign(certified(*found));
     const RelativeRadius radius = relative_radius(formulation_.model(), found->radius, scales());
     summary.radius = radius.largest;
-    const std::optional<RowFlag> misfit = c.follower->misfit_flag(*found, &row);
     if (radius.proves_no_digit())
       summary.flag = {.kind = RowFlag::Kind::unproven,
                       .group = radius.group,
                       .failure = ProofFailure::singular};
     else if (c.lost)
       summary.flag = c.lost;
-    if (misfit && summary.flag)  // a worse flag stays, with the misfit
-      summary.flag->misfit = misfit->misfit;
-    else if (misfit)
-      summary.flag = misfit;
+    c.follower->flag_misfit(*found, summary.flag, &row);
   } else {
     summary.radius = {INFINITY, INFINITY, INFINITY};
     summary.flag = {.kind = RowFlag::Kind::unproven,
@@ -172,6 +170,7 @@ const RefinedInstant* LiveRun::follow(const LiveRow& row, LiveSummary& summary) 
   const bool is_solved = summary.status == Status::solved;
   const RefinedInstant* found = is_solved ? &c.follower->refinement.refine(solved()) : nullptr;
   BranchPath& path = c.follower->path;
+  summary.path.time = c.begin.time;
   if (path.start_at(c.begin.view(c.levels)))
     summary.path =
         found && found->proven ? path.follow(certified(*found, c.levels)) : path.go_to(0);
@@ -240,8 +239,8 @@ LiveRun::Obstacle LiveRun::explain() const {
   const Settings& settings = formulation_.settings();
   const Culprit culprit = find_culprit(m, groups, state, settings);
   const std::span<const double> followed_to =
-      checks_->follower ? checks_->follower->path.present().values.position
-                        : std::span<const double>();
+      checks_->motions.has_begun() ? checks_->follower->path.present().values.position
+                                   : std::span<const double>();
   return {culprit.group, culprit.constraint, find_assembly_error(m, state, settings),
           find_table_lock(m, culprit.constraint, followed_to)};
 }

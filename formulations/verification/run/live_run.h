@@ -27,8 +27,8 @@ struct LiveOptions {
   /// Scales that radii are divided by, which only the caller can know in advance. Empty: the
   /// largest velocities and accelerations so far, which at the beginning may be small.
   std::optional<Scales> scales{};
-  /// Maximum number of sub-steps in which a row is solved; max_sub_steps + 1 path proofs may follow
-  /// it.
+  /// Maximum number of sub-steps in which a row is solved. Its proof may take max_sub_steps + 1
+  /// tests (FollowedStep::tests).
   int max_sub_steps = 64;
   CheckMode check = CheckMode::proof;  ///< none or proof
 };

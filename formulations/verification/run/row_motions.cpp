@@ -28,8 +28,9 @@ double RowMotions::lead_to(const LiveRow& row) {
 }
 
 /// Finds the coefficients of z(t) = Σ cₖ tᵏ. The first are those of Taylor's polynomial about the
-/// later row z, ż, z̈, at time 0. At time h < 0 it misses the earlier row z₀, ż₀, z̈₀ by off,
-/// rate_off and second_off, which determine the further coefficients:
+/// later row z, ż, z̈, at time 0. How far it misses the earlier row z₀, ż₀, z̈₀, at time h < 0,
+/// determines the further coefficients. `off`, `rate_off` and `second_off` are these misses, each
+/// divided by a power of h:
 ///
 ///   z₀ = z + h ż + h²/2 z̈ + h³ off,  ż₀ = ż + h z̈ + h² rate_off,  z̈₀ = z̈ + h second_off
 void RowMotions::lead_driver(std::size_t driver, const LiveRow& row, double h) {

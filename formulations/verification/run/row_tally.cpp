@@ -14,8 +14,8 @@ void RowTally::take(CheckedInstant& row, CheckedSummary& summary) {
   row.for_each_flag([&](const RowFlag& flag) { take_flag(flag, summary); });
 }
 
-/// Includes a row, unless it is unproven, in the scales and the largest radii. Flags it if they
-/// leave no digit.
+/// Includes a row, unless it is unproven, in the scales and the largest radii. Flags it if its
+/// radii leave no digit.
 void RowTally::take_radius(CheckedInstant& row) {
   if (row.flag && row.flag->kind == RowFlag::Kind::unproven) {
     row.relative_radius = {INFINITY, INFINITY, INFINITY};

@@ -20,7 +20,7 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid) {
   const double size = nominal_size(m);
   PerLevel<double> length, rotation;  // largest rates of drivers
   for (const Driver& d : m.drivers)
-    for (int i = 0; i < std::max(1, grid.instants); ++i) {
+    for (int i = 0; i < grid.instants; ++i) {
       const MotionSample<double> z = sample(d.motion, grid.time(i));
       // A rate that is not finite is no scale: the sample is left out.
       if (!std::isfinite(z.velocity) || !std::isfinite(z.acceleration)) continue;
@@ -48,7 +48,6 @@ void RunningScales::take(const Instant& instant) {
   grow(instant.qdd, seen_.length.acceleration, seen_.rotation.acceleration);
 }
 
-/// An acceleration counts at least as min_scale · velocity² / position.
 Scales RunningScales::current() const {
   Scales scales = seen_;
   for (PerLevel<double>* of : {&scales.length, &scales.rotation})

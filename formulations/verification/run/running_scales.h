@@ -9,8 +9,8 @@
 
 namespace desmo {
 
-/// Scales of a motion (see Scales) while it is being solved. They start at the largest rates of the
-/// drivers over the grid, and grow with each instant.
+/// Scales of a motion (see Scales) while it is being solved. Those of rates start at the largest
+/// rates of the drivers over the grid, or at 0 if it has no instants, and grow with each instant.
 class RunningScales {
  public:
   RunningScales(const Model& model, const TimeGrid& grid);
