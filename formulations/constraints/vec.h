@@ -74,7 +74,8 @@ inline constexpr int direction_operands = of == DirectionOf::line ? 2 : 1;
 
 }  // namespace vec
 
-/// Base of kinds whose residual is affine in the operands: Φ_q is constant, so Φ̇_q q̇ = 0.
+/// The common part of kinds whose residual is affine in the operands: Φ_q is constant, so
+/// Φ̇_q q̇ = 0.
 template <int Rows>
 struct LinearKind {
   static constexpr int rows = Rows;
