@@ -22,7 +22,7 @@ class ConditionNumber {
   ~ConditionNumber();
 
   /// Returns the condition number at positions q (coordinates): infinity if Φ_φ is singular in
-  /// double precision, 1 if there are no unknowns.
+  /// double precision or its inverse overflows, 1 if there are no unknowns.
   double operator()(std::span<const double> q);
 
  private:
