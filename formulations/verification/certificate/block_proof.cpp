@@ -138,6 +138,7 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   return lanes;
 }
 
+/// Writes the errors of the unknowns to the table. Lanes that were not tried have unknown errors.
 void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTable& to) const {
   const BlockBatch& b = *batch_;
   const ErrorColumns& e = errors_[level];
@@ -161,7 +162,7 @@ void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTabl
   }
 }
 
-/// Subtracts (1 − t) Φ₀ from Φ, and the time derivative of it, −Φ₀, from Φ̇.
+/// Subtracts (1 − t) Φ₀ from Φ, and the time derivative of that term, −Φ₀, from Φ̇.
 void BlockProof::add_homotopy(Level up_to, double time) {
   const LaneInterval share = LaneInterval(1) - LaneInterval(time);
   for (int r = 0; r < shape_->unknowns; ++r) {

@@ -54,9 +54,9 @@ void ErrorBasis::find_directions() {
       }
       double length = 0;
       for (int i = 0; i < d; ++i) length += basis_[i * d + s] * basis_[i * d + s];
-      // A direction that depends on earlier ones keeps a squared length below 1/(2 d): the next
-      // unit vector replaces it. One always serves. The squared lengths that the d unit vectors
-      // keep sum up to d − s ≥ 1, and those of rejected ones to less than 1/2.
+      // What is left of a direction that depends on earlier ones has a squared length below
+      // 1/(2 d). The next unit vector then replaces it. One always serves: the squared lengths that
+      // are left of all d unit vectors sum to d − s ≥ 1, those of rejected ones to less than 1/2.
       again = length * (2 * d) < 1 && unit < d;
       length = again ? 1 : 1 / std::sqrt(length);
       for (int i = 0; i < d; ++i)

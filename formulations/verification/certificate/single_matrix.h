@@ -16,8 +16,8 @@ class SingleMatrix {
   /// Inverts Φ_φ by Gauss–Jordan elimination, from the first lane of Φ_q. Writes Y (n × n) to all
   /// lanes.
   void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneNumbers* inverse);
-  /// Writes |D − Y C| to all lanes, where C are the columns first … last − 1 of Φ_q. D is I in the
-  /// columns of unknowns, 0 in those of inputs.
+  /// Writes |D − Y C| (n × (last − first)) to all lanes, with the Y that invert() found. C are the
+  /// columns first … last − 1 of Φ_q. D is I in the columns of unknowns, 0 in those of inputs.
   void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int first, int last,
                 LaneNumbers* to);
 

@@ -27,8 +27,8 @@ struct Coefficient {
     using std::fma;
     return fma(a, b, sum);
   }
-  /// Returns whether x is 0 and products with it are skipped. To ask pays only where numbers are
-  /// expensive.
+  /// Returns whether x is 0, so that products with x are skipped. To ask costs more than a product
+  /// of doubles: false for these.
   static constexpr bool is_none(const S&) { return false; }
   /// Returns a bound on the error of a computed sine or cosine f: one unit in the last place.
   static S uncertainty_of_turn(const S& f) { return magnitude(f) * S(2 * unit); }
@@ -77,9 +77,9 @@ struct TaylorModel {
     }
   }
 
-  /// Returns a bound on the polynomial's magnitude, but for the rounding of this sum.
+  /// Returns a bound on the polynomial's magnitude; callers count the rounding of this sum.
   Bound polynomial() const { return Traits::magnitude(c[0]) + slopes(); }
-  /// Returns a bound on the sum of all terms but the constant one, but for its rounding.
+  /// Returns a bound on the sum of all terms without the constant one; callers count its rounding.
   Bound slopes() const {
     Bound sum = Traits::magnitude(c[1]);
     for (int k = 2; k <= D; ++k) sum = sum + Traits::magnitude(c[k]);
