@@ -9,6 +9,7 @@ namespace desmo {
 /// largest ratio of error bound to trial radius. The errors of the inputs are the cause if they
 /// make up more than half of that bound. Otherwise the sizes of the terms decide.
 ProofFailure BlockProof::failure(int lane) const {
+  if (condition_[lane] == 0) return ProofFailure::time;  // radii are infinite: no X was tried
   const ErrorColumns& e = errors_.position;
   const int n = shape_->unknowns;
   int worst = 0;

@@ -15,7 +15,7 @@ enum class ProofFailure {
   none,
   singular,  ///< the position is too near a singular one
   drivers,   ///< known errors of the inputs are too large: as a rule rounding of driver values
-  time,      ///< radii of the inputs are too large: as a rule those of motions at the time
+  time,      ///< radii of the inputs are too large or infinite: as a rule those of the motions
   origin,    ///< rounding of coordinates is too large, so far from the origin
   sizes,     ///< rounding is too large, with lengths or rates of so different sizes
   far_off,   ///< the delivered numbers are off by more than their rounding, too much for a proof
