@@ -135,12 +135,9 @@ struct Rigid : LinearKind<D> {
 /// c = {c₁ … c_T}. A point is a combination of points when Σ cᵢ = 1.
 template <int D, int T>
 struct Combination : LinearKind<D> {
-  static constexpr std::string_view name = [] {
-    constexpr std::string_view names[2][4] = {
-        {"combination2_1", "combination2_2", "combination2_3", "combination2_4"},
-        {"combination3_1", "combination3_2", "combination3_3", "combination3_4"}};
-    return names[D - 2][T - 1];
-  }();
+  static_assert(D == 3);
+  static constexpr std::string_view name = std::array<std::string_view, 4>{
+      "combination3_1", "combination3_2", "combination3_3", "combination3_4"}[T - 1];
   static constexpr auto operand_sizes = vec::sizes<T + 1>(D);
   static constexpr int constants = T, entries = D * (T + 1);
 
