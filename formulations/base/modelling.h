@@ -22,6 +22,7 @@ inline constexpr std::array modelling_kinds{Modelling::natural, Modelling::basis
 inline constexpr std::array<std::string_view, 4> modelling_names{"natural", "basis", "reference",
                                                                  "relative"};
 
+/// Returns the name of a modelling in ids and on command lines.
 constexpr std::string_view name_of(Modelling modelling) {
   return modelling_names[static_cast<std::size_t>(modelling)];
 }

@@ -90,6 +90,7 @@ struct ScaledRotation {
     cosine = ratio * cos(angle);
     sine = ratio * sin(angle);
   }
+  /// Returns r R(θ) e.
   std::array<S, 2> operator()(const std::array<S, 2>& e) const {
     return {cosine * e[0] - sine * e[1], sine * e[0] + cosine * e[1]};
   }

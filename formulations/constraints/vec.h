@@ -13,6 +13,7 @@ enum class DirectionOf { vector, line };
 
 namespace vec {
 
+/// Returns u·v.
 template <int D, class S>
 S dot(const S* u, const S* v) {
   S sum = u[0] * v[0];

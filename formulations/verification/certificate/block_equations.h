@@ -74,7 +74,7 @@ class BlockEquations {
     const Compensated<LaneNumbers>* constants;
     const LaneInterval* enclosed_constants;
     const Compensated<LaneNumbers>* path_constants;
-    const Compensated<LaneNumbers>* fixed;  ///< of local states
+    const Compensated<LaneNumbers>* fixed;  ///< fixed_ of BlockEquations
     bool quadratic;  ///< each entry of Φ_q is constant or homogeneous of degree 1 in q
     std::vector<int> rate_slots;  ///< slots, with -1 for constant entries
   };

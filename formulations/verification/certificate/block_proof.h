@@ -72,7 +72,7 @@ class BlockProof {
   std::vector<LaneNumbers> centre_, uncertainty_;
   std::vector<LaneNumbers> trial_;       // radii of X (n)
   std::vector<LaneNumbers> contracted_;  // bound on |(I − Y Φ_φ(X)) X| (n)
-  std::vector<double> generators_;       // symbols of the same (n × columns)
+  std::vector<double> generators_;       // G (ErrorTable) of what centre_ holds (n × columns)
 };
 
 }  // namespace desmo

@@ -179,8 +179,9 @@ class ScheduleBuilder {
   std::vector<int> chain_;     // groups in the longest chain through each
   std::vector<bool> is_link_;  // whether each group gets a ChainLink
   std::map<int, int> link_of_;
-  std::vector<int> group_, row_;  // of each coordinate; -1: driven, or not in a link
-  std::vector<int> depth_;        // of each coordinate; 0: driven
+  std::vector<int> group_;  // group that solves each coordinate; -1: it is driven
+  std::vector<int> row_;    // row of each coordinate in its link; -1: it is in none
+  std::vector<int> depth_;  // depth of each coordinate; 0: it is driven
   int order_ = 0;
   std::map<int, Depth> depths_;
   BlockSchedule result_;

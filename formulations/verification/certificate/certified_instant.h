@@ -19,7 +19,7 @@ inline std::span<const Level> levels_of(const PerLevel<std::span<const double>>&
 struct CertifiedInstant {
   double time = 0;                             ///< [s]
   PerLevel<std::span<const double>> values{};  ///< all coordinates; empty above the levels it has
-  std::span<const double> radius{};            ///< of the positions (Certificate::radius)
+  std::span<const double> radius{};            ///< bounds on the errors of the positions
   /// Level up to which each coordinate is solved; empty: the highest level of `values`.
   std::span<const Level> levels{};
 };
@@ -28,7 +28,7 @@ struct CertifiedInstant {
 struct InstantCopy {
   double time = 0;                         ///< [s]
   PerLevel<std::vector<double>> values{};  ///< (coordinates), or empty
-  std::vector<double> radius{};            ///< of the positions (coordinates), or empty
+  std::vector<double> radius{};            ///< see CertifiedInstant (coordinates), or empty
 
   InstantCopy() = default;
   /// Allocates all levels.

@@ -86,7 +86,7 @@ double ErrorBasis::deviation(std::span<const double> q, int d) {
   // - QᵀQ: (d + 1)². Each row has d sums of d + 1 terms, whose magnitudes add up to d + 1.
   // - Qᵀ G: d². The error of each column is at most d |Qᵀ| |G|. Rows of |G| have sums of at most √d
   //   times the widest radius, since all errors are Q s; columns of |Q| have sums of at most √d.
-  // - the errors' own radii, d products: d + 1; the sum over a row above: d
+  // - the errors' own radii, d products: d + 1; `sum` above: d
   // - adding this correction, its quotient, its product and generator(): less than 4
   return worst + 4 * d * (d + 2) * Interval::unit;
 }

@@ -42,7 +42,7 @@ class ErrorBasis {
   std::vector<double> own_;         // own radius of each error times its scale (size)
   std::vector<double> scale_;       // power of two that brings an error > 0 to about 1 (size)
   std::vector<double> basis_;       // Q (size × size)
-  std::vector<double> radii_;       // of the box in the basis (size)
+  std::vector<double> radii_;       // radii of the box in the basis (size)
   std::vector<double> rest_;        // workspace: scaled G less its parts along directions found
   std::vector<double> sums_;        // workspace (columns)
 };

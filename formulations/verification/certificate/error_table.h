@@ -38,7 +38,7 @@ struct ErrorTable {
   int columns = 0;                 ///< number of symbols of the group that is certified
   int first_lent = 0;              ///< the first lent row
 
-  /// Copies an error without symbols to a lent row.
+  /// Copies an error to a lent row, and sets its row of G to 0.
   void lend(int row, const Row& box) {
     rows[row] = box;
     std::fill_n(of_row(row), columns, 0);

@@ -15,7 +15,8 @@ struct GroupInterface {
   std::vector<int> rows;  ///< row of each coordinate in ErrorTable while its group is certified
   ErrorBasis basis;       ///< errors of all coordinates, one level after the other
   PerLevel<std::vector<double>> centre;  ///< centres of these errors
-  bool enclosed = false;  ///< basis and centres hold the errors of this instant; else lend() boxes
+  /// Whether basis and centres hold the errors of this instant; if not, lend() hands on boxes.
+  bool enclosed = false;
 
   int size() const { return static_cast<int>(coordinates.size()); }
   /// Encloses the errors of `rows` at these levels in the basis. Without levels, or if an error is

@@ -105,7 +105,8 @@ void Preconditioner::invert_three(const BlockShape& s, const LaneNumbers* jacobi
     for (int j = 0; j < 3; ++j) inverse[3 * j + i] = cofactor(i, j) * scale;
 }
 
-/// Finds |d − Y c| for a column c of Φ_q with Count entries. d has a 1 in row `one`, else zeros.
+/// Finds |d − Y c| for a column c of Φ_q with Count entries. d has a 1 in row `one`, if that is
+/// less than n, and else zeros.
 template <int N, int Count>
 void Preconditioner::multiply(const int* rows, const int* entries, const LaneNumbers* jacobian,
                               int size, int one, LaneNumbers* to, int stride) const {

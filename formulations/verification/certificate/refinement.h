@@ -59,7 +59,7 @@ class Refinement {
   std::vector<LaneMask> lengths_;  // which of each four coordinates are lengths, not rotations
   std::span<const Level> levels_;  // of the present instant
   Values next_, radius_;           // numbers with the corrections of the last pass, their radii
-  Values best_, best_radius_;      // the same of the best pass at each level
+  Values best_, best_radius_;      // these numbers and radii of the best pass at each level
   RefinedInstant result_;
 };
 

@@ -28,9 +28,9 @@ class SingleMatrix {
   std::vector<double> rows_;     // rows of Φ_φ, then those of Y with columns in another order
   std::vector<double> columns_;  // columns of Y
   std::vector<double> scales_;   // 1/largest entry of each row, for pivots
-  std::vector<int> order_;       // position in rows_ of each column of Y
-  std::vector<int> pivots_;
-  std::vector<double> product_;
+  std::vector<int> order_;       // place of each column of Y among the columns of rows_
+  std::vector<int> pivots_;      // row of the pivot of each step
+  std::vector<double> product_;  // workspace: a column of D − Y C
 };
 
 }  // namespace desmo

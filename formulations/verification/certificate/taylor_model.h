@@ -171,7 +171,7 @@ struct TaylorModel {
     TaylorModel d = a;
     d.c[0] = S(0);
     const Bound far = a.variation();
-    Bound last(1);  // dᵏ/k!, and in the end k = D + 1
+    Bound last(1);  // |d|ᵏ/k!; after the loop k = D + 1
     for (int k = 1; k <= D + 1; ++k) last = last * far * Bound((1 + 0x1p-51) / k);
     TaylorModel sum;
     for (int k = D; k >= 0; --k) sum = sum * d + term(k, derivatives[k % 4]);
@@ -185,7 +185,7 @@ struct TaylorModel {
     const Bound far = Traits::magnitude(a.c[1]);
     TaylorModel r;
     S power(1);                  // c₁ᵏ
-    Bound of_power(1), last(1);  // |c₁|ᵏ, and |c₁|ᵏ/k!, in the end k = D + 1
+    Bound of_power(1), last(1);  // |c₁|ᵏ, and |c₁|ᵏ/k!; after the loop k = D + 1
     Bound rest = a.rest;
     for (int k = 0; k <= D; ++k) {
       const TaylorModel f = term(k, derivatives[k % 4]);
