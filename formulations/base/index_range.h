@@ -6,12 +6,12 @@
 
 namespace desmo {
 
-/// Consecutive indices first … end − 1. A loop over a range looks no index up.
+/// The consecutive indices first … end − 1. A loop over a range reads no list of indices.
 struct IndexRange {
   int first, end;
 };
 
-/// Returns ascending indices as ranges.
+/// Returns the fewest ranges that hold these indices, which ascend and are all different.
 inline std::vector<IndexRange> ranges_of(std::span<const int> indices) {
   std::vector<IndexRange> ranges;
   for (const int i : indices) {

@@ -4,9 +4,9 @@
 
 namespace desmo {
 
-/// Driver values that are handed in at one step, in the order of Model::drivers. The spans have
-/// Model::degrees_of_freedom() values; those beyond the level that is solved may be empty. They are
-/// read until the call returns.
+/// Driver values that the caller of a step hands in, in the order of Model::drivers. Each span has
+/// Model::degrees_of_freedom() values. Spans above the level that is solved may be empty. The
+/// values must stay valid until the call returns.
 struct LiveRow {
   double time;                    ///< time of the step [s]
   std::span<const double> z{};    ///< positions z [unit of length] or [rad]

@@ -8,9 +8,9 @@
 
 namespace desmo {
 
-/// An instant of a motion. The spans are valid until observe() returns, or as long as lent memory;
-/// those above the requested level are empty. They hold all coordinates in their order or, if the
-/// observer lends memory, the requested ones, in that memory.
+/// An instant of a motion. Spans above the requested level are empty. The others hold all
+/// coordinates in their order, and are valid until observe() returns. If the observer lends memory,
+/// they view that memory, and hold the requested coordinates in the order of the request.
 struct Instant {
   int index;    ///< position in the run's grid
   double time;  ///< [s]
@@ -23,7 +23,7 @@ struct Instant {
   OutputView output{};        ///< the lent memory, which the observer may lend again
 };
 
-/// Returns an instant, with index 0, whose spans are those of `values` up to `level`. time: [s]
+/// Returns an instant with index 0 that views `values` up to `level`. time: [s]
 inline Instant instant_of(double time, const PerLevel<std::span<const double>>& values,
                           Level level = Level::acceleration) {
   Instant instant{.index = 0, .time = time, .q = values.position, .qd = {}, .qdd = {}};
@@ -32,7 +32,7 @@ inline Instant instant_of(double time, const PerLevel<std::span<const double>>& 
   return instant;
 }
 
-/// Returns the instant with the spans of `values` instead, at the levels that are not empty.
+/// Returns the instant with other values: it views `values` at the levels that it has.
 inline Instant with_values(Instant instant, const PerLevel<std::span<const double>>& values) {
   instant.q = values.position;
   if (!instant.qd.empty()) instant.qd = values.velocity;
@@ -59,8 +59,8 @@ class Observer {
   /// any order, and again after restart(). Returns whether the run goes on.
   virtual Flow observe(const Instant& instant) noexcept = 0;
 
-  /// Returns the preferred number of instants in a call of lend(), which may ask for fewer or more.
-  /// 0: the observer lends none, and instants come in memory of the solver.
+  /// Returns for how many instants a call of lend() should ask; it may ask for fewer or more. 0:
+  /// the observer lends no memory, and instants come in memory of the solver.
   virtual int lent_at_once() const noexcept { return 0; }
   /// Lends memory for instants to come; called if lent_at_once() is not 0. instants: their indices.
   /// outputs: to be filled, one for each. The solver owns this memory until it hands over the

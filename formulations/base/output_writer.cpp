@@ -14,14 +14,15 @@ void refuse(int coordinate, const char* why) {
   throw std::invalid_argument("a request names coordinate " + std::to_string(coordinate) + why);
 }
 
+/// Returns the index of each coordinate in an output; −1: it is not requested.
 std::vector<int> places_of(std::span<const int> requested, int coordinates) {
   std::vector<int> places(coordinates, -1);
   for (std::size_t n = 0; n < requested.size(); ++n) places[requested[n]] = static_cast<int>(n);
   return places;
 }
 
-/// Copies numbers that were written a moment ago. std::memmove, which std::copy_n calls, may read
-/// the last ones first and has to wait until they are stored.
+/// Copies numbers from the first to the last. std::copy_n calls std::memmove, which may read the
+/// last ones first. These were written a moment ago, and it would wait until they are stored.
 void copy_range(const double* from, std::size_t size, double* to) {
   constexpr std::size_t together = 16;
   if (size < together) {

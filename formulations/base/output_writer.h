@@ -11,23 +11,23 @@
 namespace desmo {
 
 /// Returns the coordinates that a request names, or all where it names none. Throws
-/// std::invalid_argument where one is named twice or does not exist. coordinates: their number in
-/// the model.
+/// std::invalid_argument if a coordinate is named twice or does not exist. coordinates: number of
+/// the model's coordinates.
 std::vector<int> requested_coordinates(const Request& request, int coordinates);
 
 /// Writes requested coordinates of instants into memory that an observer lends, range by range.
 class OutputWriter {
  public:
   OutputWriter() = default;
-  /// coordinates: their number in the model. Throws as requested_coordinates() does.
+  /// coordinates: number of the model's coordinates. Throws as requested_coordinates() does.
   OutputWriter(const Request& request, int coordinates);
 
-  /// places: index of each coordinate in an output; −1: not written here. size: numbers in an
-  /// output.
+  /// - places: index of each coordinate in an output; −1: not written here
+  /// - size: number of coordinates in an output
   OutputWriter(std::span<const int> places, std::size_t size);
 
-  /// Copies the requested coordinates of an instant to the instant's output. The instant's spans
-  /// then view the output. On entry they view all coordinates.
+  /// Copies the requested coordinates of an instant to instant.output. On entry the instant's spans
+  /// view all coordinates. On return they view the output, and are empty where its pointer is null.
   void write(Instant& instant) const;
   /// Hands an instant to an observer: the requested coordinates in memory that the observer lends.
   /// Hands over all coordinates in the instant's own memory if the observer lends none.
@@ -42,9 +42,9 @@ class OutputWriter {
   std::size_t size_ = 0;
 };
 
-/// A pool of outputs with the same arrays: q and, up to a level, q̇ and q̈. It grows to the largest
-/// number that is taken at once. Each array has cache lines of its own, since several threads fill
-/// the outputs.
+/// A pool of outputs, all with q and, up to a level, q̇ and q̈. It makes as many outputs as are
+/// taken at the same time, and keeps them. Each array has cache lines of its own, since several
+/// threads fill the outputs.
 class OutputPool {
  public:
   /// size: number of coordinates in an output.
@@ -61,7 +61,7 @@ class OutputPool {
     free_.pop_back();
     return taken;
   }
-  /// Takes an output back. It holds its values until it is taken again.
+  /// Takes an output back. The output keeps its values until take() returns it again.
   void give_back(const OutputView& output) { free_.push_back(output); }
 
  private:

@@ -4,12 +4,12 @@
 
 namespace desmo {
 
-/// A solved instant in coordinate order, fixed entities left out.
+/// A solved instant: values of all coordinates in their order, without fixed entities.
 struct ReferenceInstant {
   double time;                     ///< [s]
   std::vector<double> q, qd, qdd;  ///< rounded to double; units as in Instant
 
-  /// Remainders of the rounding, themselves rounded: exact value = q + remainder.q, to a relative
+  /// What rounding to double took off, itself rounded: exact value = q + remainder.q, to a relative
   /// error of about 1e-32. Empty: unknown.
   struct Remainders {
     std::vector<double> q, qd, qdd;

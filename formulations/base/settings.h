@@ -22,10 +22,11 @@ enum class Evaluation {
 enum class Guess {
   previous,   ///< q of the last instant
   linear,     ///< Taylor to first order, from q and q̇ of the last instant
-  quadratic,  ///< Taylor to second order, from its q, q̇ and q̈
+  quadratic,  ///< Taylor to second order, from q, q̇ and q̈ of the last instant
   hermite3,   ///< the cubic through q and q̇ of the last two instants
   hermite5,   ///< the quintic through q, q̇ and q̈ of the last two instants
-  adams8,  ///< the last q plus the integral of the polynomial through q̇ and q̈ of the last four
+  /// The last q plus the integral of the polynomial through q̇ and q̈ of the last four instants.
+  adams8,
 };
 
 /// When Φ_φ, the Jacobian of a part by its unknowns, is factorised. Positions are accepted by the
@@ -33,14 +34,14 @@ enum class Guess {
 /// solved position.
 enum class JacobianUpdate {
   newton,  ///< in every iteration and, for rates, at the solved position
-  step,    ///< for rates, at the solved position; the next step's iterations use these factors, too
+  step,    ///< for rates, at the solved position; iterations of the next step use these factors
 };
 
 /// Evaluation of derived unknowns, such as those of a body's frame, in Newton's method. Their rates
 /// follow from linear systems in any case.
 enum class Frames {
-  linearised,  ///< the linear system of an iteration corrects them, too
-  exact,  ///< in steps, each iteration corrects the other unknowns only and evaluates these there
+  linearised,  ///< the linear system of an iteration corrects derived unknowns, too
+  exact,  ///< in steps, an iteration corrects the others, then evaluates the derived ones from them
 };
 
 /// Permutation of a matrix to block triangular form by KLU, before it factorises the blocks.
@@ -55,16 +56,18 @@ inline constexpr int max_fixed_iterations = 1000;
 /// Settings of an analysis, as in Settings{.guess = Guess::hermite5, .lanes = 4}. The defaults are
 /// the paper's. Not every formulation offers every combination (see unsupported_reason()).
 struct Settings {
-  /// Limit of ‖Φ‖₂ of the whole model. Each equation is divided by its natural magnitude, such as
-  /// the mechanism's size for a difference of points. To first order ‖Φ‖₂ is then a relative error
-  /// of position, whatever the units. Positive.
+  /// Limit of ‖Φ‖₂ of the whole model (<), positive. Each equation is divided by its natural
+  /// magnitude (Magnitudes), such as the length of nearby bodies for a difference of points. To
+  /// first order ‖Φ‖₂ is then a relative error of position, whatever the units. Where rounding
+  /// leaves more of a part's ‖Φ‖₂ than the part's share of the tolerance, its rounding floor
+  /// counts.
   double tolerance = default_tolerance;
   /// Limit of Newton–Raphson iterations of one part in one attempt, 1 or more.
   int max_iterations = 25;
   Guess guess = Guess::previous;
   /// 0: iterate until the tolerance is met. 1 … max_fixed_iterations: this number of iterations of
   /// each part in a step, whatever ‖Φ‖₂ is. A step's work then does not depend on rounding. An
-  /// assembly repeats them until the tolerance is met, at most max_iterations times.
+  /// assembly repeats them until the tolerance is met, at most max_iterations times more.
   int fixed_iterations = 0;
   JacobianUpdate jacobian = JacobianUpdate::newton;
   BlockTriangularForm btf = BlockTriangularForm::on;  ///< used by KLU alone
@@ -77,10 +80,10 @@ struct Settings {
   /// Number of threads, 1 … max_threads, each of which solves a segment of a motion known in
   /// advance; short motions use fewer. 1: all is done on the caller's thread.
   int threads = 1;
-  /// Distance, in instants, of those that a run solves, 1 … max_stride: every stride-th and the
-  /// last. The others lie on the quintic through q, q̇ and q̈ of the two solved instants around
-  /// them. 1: all are solved. step() and assemble() always solve; checked runs solve all instants
-  /// after a jump or a gap.
+  /// Stride of a run, 1 … max_stride: it solves every stride-th instant and the last. The others
+  /// lie on the quintic through q, q̇ and q̈ of the two solved instants around them. 1: all are
+  /// solved. step() and assemble() always solve; checked runs solve all instants after a jump or a
+  /// gap.
   int stride = 1;
   Modelling coordinates = Modelling::natural;  ///< coordinates of the model that is solved
   Frames frames = Frames::linearised;          ///< for coordinates with frames (has_frames)

@@ -10,7 +10,8 @@ enum class Status {
   not_finite,     ///< ‖Φ‖₂ is not a finite number
 };
 
-/// The content of every summary. It has no verdict: each kind of summary has one of its own.
+/// What all kinds of summaries have in common. Each kind has its own verdict, such as
+/// Summary::ok().
 struct BasicSummary {
   Status status = Status::solved;
   long instants = 0;    ///< number of instants solved or interpolated
@@ -19,11 +20,13 @@ struct BasicSummary {
   /// and instants. A measure of work.
   long updates = 0;
   long sub_steps = 0;  ///< sub-steps tried, where a step could not be solved at once
-  /// Largest accepted ‖Φ‖₂ of the whole mechanism, relative like the tolerance. On failure, that of
-  /// the parts up to the failed one at the failed instant; NaN where none was evaluated.
+  /// Largest accepted ‖Φ‖₂ of the whole mechanism, relative like Settings::tolerance. On failure,
+  /// ‖Φ‖₂ of the parts up to the failed one at the failed instant; NaN where none was evaluated.
   double residual = 0;
   int group = -1;  ///< on failure, position in Model::groups of the group not solved; -1: unknown
-  int constraint = -1;  ///< on failure, position of the constraint most concerned; -1: unknown
+  /// On failure, position of a constraint of that group; -1: unknown. It is the one with the
+  /// largest residual or, where Φ_φ is singular, the one most involved in the dependence.
+  int constraint = -1;
   double time = 0;  ///< time of the last instant tried [s]; unspecified after a stop in segments
   bool stopped = false;  ///< the observer ended the run
 

@@ -5,11 +5,11 @@
 // yields the expression from which code is generated.
 //
 // A kind has
-//   name            stable, part of the fingerprint of a group
+//   name            never changes: it is part of fingerprints of generated code
 //   operand_sizes   components of each entity it joins, in order
 //   constants       how many constants its functions take
 //   rows            how many scalar equations it contributes
-//   entries         how many partial derivatives it emits
+//   entries         how many partial derivatives its jacobian() emits
 //   linear          true when all partial derivatives are constant; jacobian then reads no x
 // and three functions, where x[k] points at the first component of operand k, v[k] at its
 // velocity and c at the constants:
@@ -22,15 +22,15 @@
 // any scalar with division and square root:
 //   measure(x, c)              c[constants] = dimensions for which the constraint holds at x,
 //                              overwritten; angles among the operands are not read
-// Kinds without it take no constants, or some that do not follow from the positions. A kind that
-// reads a table takes as constants its polynomial at the position of its operands: see
-// constants_at(). The operands of a constraint are different entities. Lengths are in the unit of
-// the mechanism, angles in radians.
+// Kinds without measure() take no constants, or constants that do not follow from the positions.
+// The functions of a kind that reads a table take a cubic in place of the table: its piece at the
+// present argument, which constants_at() finds. The operands of a constraint are different
+// entities. Lengths are in the unit of the mechanism, angles in radians.
 //
 // A scalar can be made from nothing and from a double, and has +, −, *, sin and cos (Jet is the
-// shortest example). measure() also takes division and square root. Tables take division,
-// comparisons and a conversion to double (find_in_table), unless the scalar has its own
-// table_coefficient, like Expr.
+// shortest example). measure() also needs division and square root. Tables need division,
+// comparisons and a conversion to double (find_in_table), unless the scalar has a
+// table_coefficient() of its own, like Expr.
 
 #include <array>
 #include <cstddef>
@@ -81,8 +81,9 @@ inline constexpr bool has_table = requires {
   Kind::table;
 };
 
-/// Returns the constants that the functions of a kind take at x, from the numbers of a constraint.
-/// They are these numbers themselves, except for kinds that read a table. The result has data().
+/// Returns the constants c that the functions of a kind take at x. They are the numbers of a
+/// constraint (Constraint::constants) themselves, except for kinds that read a table. The result
+/// has data().
 template <class Kind, class S>
 auto constants_at(const S* numbers, const S* const* x) {
   if constexpr (has_table<Kind>)

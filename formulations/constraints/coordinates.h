@@ -83,7 +83,7 @@ struct TableCoupling : NonlinearKind<1> {
     gamma[0] = -c[0] * ((S(6) * c[7] * offset(x, c) + S(2) * c[6]) * (rate * rate));
   }
 
-  /// Returns the constants about the argument k s₂ from a constraint's numbers {u, k, b, table}.
+  /// Returns the constants c about ξ = k s₂ from a constraint's numbers {u, k, b, table}.
   template <class S>
   static std::array<S, constants> about(const S* c, const S& s2) {
     const S at = c[1] * s2;
@@ -97,8 +97,8 @@ struct TableCoupling : NonlinearKind<1> {
             table_coefficient<2>(t, at),
             table_coefficient<3>(t, at)};
   }
-  /// Returns the same as about(), from number(k), number k of a constraint, in a scalar that has
-  /// comparisons.
+  /// Returns the same as about() in a scalar that has comparisons. number(k): number k of a
+  /// constraint.
   template <class S, class Number>
   static std::array<S, constants> about_number(const Number& number, const S& s2) {
     const S at = number(1) * s2;
@@ -114,6 +114,7 @@ struct TableCoupling : NonlinearKind<1> {
   }
 
  private:
+  /// Returns τ.
   template <class S>
   static S offset(const S* const* x, const S* c) {
     return c[1] * x[1][0] - c[3];

@@ -1,7 +1,7 @@
 #pragma once
 
-// Constraint kinds of joints between the points and vectors of two bodies. Those that make one body
-// rigid are in formulations/constraints/rigid_body.h. The concept of a kind is described in
+// Constraint kinds of joints between the points and vectors of two bodies. Kinds that make one body
+// rigid are in rigid_body.h. The concept of a kind is described in
 // formulations/constraints/constraints.h.
 
 #include <array>
@@ -37,8 +37,8 @@ struct Along : NonlinearKind<D> {
   }
 };
 
-/// Planar point p at a constant distance, to the left when positive, from the line through o along
-/// the unit vector u: u × (p − o) − c = 0. Operands u, o, p; c = {distance}.
+/// Planar point p at a constant distance from the line through o along the unit vector u:
+/// u × (p − o) − c = 0. Operands u, o, p; c = {distance}, positive where p is to the left of u.
 struct Offset : QuadraticForm<Offset> {
   static constexpr std::string_view name = "offset";
   static constexpr std::array operand_sizes{2, 2, 2};

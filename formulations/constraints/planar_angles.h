@@ -90,6 +90,7 @@ struct ScaledRotation {
     cosine = ratio * cos(angle);
     sine = ratio * sin(angle);
   }
+  /// Returns r R(θ) e.
   std::array<S, 2> operator()(const std::array<S, 2>& e) const {
     return {cosine * e[0] - sine * e[1], sine * e[0] + cosine * e[1]};
   }
@@ -97,8 +98,10 @@ struct ScaledRotation {
   S across(int i) const { return i == 0 ? -sine : sine; }
 };
 
-/// Writes the quadratic term of −r R(θ) e: θ̇² f − 2 θ̇ J g, with f = r R(θ) e, g = r R(θ) ė and J
-/// the quarter turn. Overwrites gamma.
+/// Writes the quadratic term of −r R(θ) e: θ̇² f − 2 θ̇ J g. Here f = r R(θ) e, g = r R(θ) ė, and J
+/// is the quarter turn counter-clockwise.
+/// - rate: θ̇
+/// - gamma: (2), overwritten
 template <class S>
 void quadratic_of_turn(const std::array<S, 2>& f, const std::array<S, 2>& g, const S& rate,
                        S* gamma) {
@@ -130,8 +133,9 @@ struct AngleOperands {
       between == Between::vector_and_line || between >= Between::line_and_line;
   static constexpr DirectionOf form_of_d = of_line ? DirectionOf::line : DirectionOf::vector;
   static constexpr DirectionOf form_of_e = from_line ? DirectionOf::line : DirectionOf::vector;
-  /// Indices among the operands: the first of e that d does not share, and θ.
+  /// Index of the first operand of e that is not one of d.
   static constexpr int first_of_e = direction_operands<form_of_d>;
+  /// Index of operand θ.
   static constexpr int theta = first_of_e + (from_line && !at_point ? 2 : 1);
   static constexpr auto operand_sizes = sizes_and_scalar<theta>(2);
 
@@ -146,7 +150,7 @@ struct AngleOperands {
     else
       return direction<2, form_of_e>(x + first_of_e);
   }
-  /// Measures ‖d‖/‖e‖. Vectors have length 1.
+  /// Measures the ratio ‖d‖/‖e‖, where vectors count as unit vectors.
   template <class S>
   static void measure(const S* const* x, S* c) {
     const auto length = [](bool line, const std::array<S, 2>& u) {

@@ -53,7 +53,7 @@ struct Unit : NonlinearKind<1> {
   }
 };
 
-/// Vectors u, v at a constant angle: u·v − c = 0.   c = {cosine of the angle}
+/// Vectors u, v with constant product: u·v − c = 0.   c = {cosine of the angle of unit vectors}
 template <int D>
 struct Dot : QuadraticForm<Dot<D>> {
   static constexpr std::string_view name = D == 2 ? "dot2" : "dot3";
@@ -73,7 +73,8 @@ struct Dot : QuadraticForm<Dot<D>> {
   }
 };
 
-/// Vector u and points a, b with constant projection: u·(b − a) − c = 0.   c = {projection}
+/// Constant projection of the line from a to b on the vector u: u·(b − a) − c = 0. Operands u, a,
+/// b; c = {projection, if u is a unit vector}.
 template <int D>
 struct Projection : QuadraticForm<Projection<D>> {
   static constexpr std::string_view name = D == 2 ? "projection2" : "projection3";
@@ -134,12 +135,9 @@ struct Rigid : LinearKind<D> {
 /// c = {c₁ … c_T}. A point is a combination of points when Σ cᵢ = 1.
 template <int D, int T>
 struct Combination : LinearKind<D> {
-  static constexpr std::string_view name = [] {
-    constexpr std::string_view names[2][4] = {
-        {"combination2_1", "combination2_2", "combination2_3", "combination2_4"},
-        {"combination3_1", "combination3_2", "combination3_3", "combination3_4"}};
-    return names[D - 2][T - 1];
-  }();
+  static_assert(D == 3);
+  static constexpr std::string_view name = std::array<std::string_view, 4>{
+      "combination3_1", "combination3_2", "combination3_3", "combination3_4"}[T - 1];
   static constexpr auto operand_sizes = vec::sizes<T + 1>(D);
   static constexpr int constants = T, entries = D * (T + 1);
 
@@ -175,7 +173,7 @@ struct PlanarRelation : LinearKind<2> {
   static constexpr std::string_view name =
       is_point ? (is_line ? "planar_point_by_segment" : "planar_point_by_vector")
                : (is_line ? "planar_vector_by_segment" : "planar_vector_by_vector");
-  /// Operand that is the vector, or the start of the line.
+  /// Index of the operand that is d, or the start of its line.
   static constexpr int first = is_point && !is_line ? 2 : 1;
   static constexpr auto operand_sizes = vec::sizes<first + vec::direction_operands<of>>(2);
   static constexpr int constants = 2, entries = is_line ? 10 : is_point ? 8 : 6;

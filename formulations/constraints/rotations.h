@@ -83,7 +83,7 @@ struct Turned : NonlinearKind<3> {
   }
 };
 
-/// Vector w, the product of two others: w − u × v = 0. Operands w, u, v.
+/// Vector w, the cross product of two others: w − u × v = 0. Operands w, u, v.
 struct Cross : NonlinearKind<3> {
   static constexpr std::string_view name = "cross";
   static constexpr std::array operand_sizes{3, 3, 3};

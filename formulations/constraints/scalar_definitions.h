@@ -61,11 +61,11 @@ struct Parallel {
     return i == 0 ? turn.cosine * d[1] - turn.sine * d[0]
                   : -(turn.sine * d[1] + turn.cosine * d[0]);
   }
-  /// Returns the quadratic term. g: r R(θ) ė.
+  /// Returns the quadratic term of Φ. g: r R(θ) ė. rate: θ̇.
   S quadratic(const std::array<S, 2>& g, const std::array<S, 2>& d_rate, const S& rate) const {
-    std::array<S, 2> minus_f2;  // −f̈
+    std::array<S, 2> minus_f2;  // −f̈, without terms in θ̈ and ë
     quadratic_of_turn(f, g, rate, minus_f2.data());
-    const std::array<S, 2> f1{g[0] - rate * f[1], g[1] + rate * f[0]};
+    const std::array<S, 2> f1{g[0] - rate * f[1], g[1] + rate * f[0]};  // ḟ
     return S(2) * cross(f1.data(), d_rate.data()) - cross(minus_f2.data(), d.data());
   }
 };
@@ -155,8 +155,8 @@ struct PlanarBearingFrom : NonlinearKind<1>, vec::AngleOperands<between> {
 };
 
 /// Returns the kind that replaces another where other equations imply all but one of its equations.
-/// The replacing kind has one equation, the same operands and the first of the constants. void:
-/// there is no such kind.
+/// The replacing kind has one equation and the same operands. Its constants are the leading ones of
+/// the kind that it replaces. void: there is no such kind.
 void scalar_definition(...);
 template <int D>
 Reach<D> scalar_definition(Along<D>);

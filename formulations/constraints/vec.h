@@ -13,6 +13,7 @@ enum class DirectionOf { vector, line };
 
 namespace vec {
 
+/// Returns u·v.
 template <int D, class S>
 S dot(const S* u, const S* v) {
   S sum = u[0] * v[0];
@@ -74,7 +75,8 @@ inline constexpr int direction_operands = of == DirectionOf::line ? 2 : 1;
 
 }  // namespace vec
 
-/// Base of kinds whose residual is affine in the operands: Φ_q is constant, so Φ̇_q q̇ = 0.
+/// The common part of kinds whose residual is affine in the operands: Φ_q is constant, so
+/// Φ̇_q q̇ = 0.
 template <int Rows>
 struct LinearKind {
   static constexpr int rows = Rows;

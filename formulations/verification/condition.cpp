@@ -33,10 +33,8 @@ double ConditionNumber::operator()(std::span<const double> q) {
     factors.solve(column);
     for (int i = 0; i < n; ++i) sums[i] += std::abs(column[i]);
   }
-  double norm = 0;
-  for (const double sum : sums)
-    if (!(sum <= norm)) norm = sum;  // NaN stays
-  return std::isfinite(norm) ? norm : INFINITY;
+  const bool are_finite = std::ranges::all_of(sums, [](double sum) { return std::isfinite(sum); });
+  return are_finite ? std::ranges::max(sums) : INFINITY;
 }
 
 }  // namespace desmo

@@ -22,7 +22,7 @@ class ConditionNumber {
   ~ConditionNumber();
 
   /// Returns the condition number at positions q (coordinates): infinity if Φ_φ is singular in
-  /// double precision, 1 if there are no unknowns.
+  /// double precision or its inverse overflows, 1 if there are no unknowns.
   double operator()(std::span<const double> q);
 
  private:
@@ -30,9 +30,11 @@ class ConditionNumber {
   std::unique_ptr<Matrix> matrix_;
 };
 
-/// Returns the order of the relative errors that conditioning allows: κ u in position, κ² u in
-/// velocity, κ³ u in acceleration. u is the scalar's unit roundoff: 2⁻⁵³ for double, 2⁻²⁴ for
-/// float. Each level solves with Φ_φ once more, and amplifies the error of the level before by κ.
+/// Returns the order of magnitude of the relative errors that rounding causes: κ u in position, κ²
+/// u in velocity, κ³ u in acceleration. Each level solves with Φ_φ once more, and amplifies the
+/// error of the level before by κ.
+/// - condition: κ
+/// - u: unit roundoff of the scalar: 2⁻⁵³ for double, 2⁻²⁴ for float
 inline PerLevel<double> accuracy_limit(double condition, double u) {
   return {condition * u, condition * condition * u, condition * condition * condition * u};
 }

@@ -23,14 +23,14 @@ struct SolutionError : PerLevel<LevelError> {
   int instants = 0;  ///< instants compared
 };
 
-/// Observer that compares the instants of a run (Formulation::run) with a reference. Instants that
-/// the reference does not have are skipped. observe() allocates nothing.
+/// Observer that compares the instants of a run (Formulation::run) with a reference. It skips
+/// instants at times that the reference does not have. observe() allocates nothing.
 ///
 /// Outputs are the points, directions, angles and distances of the model. Driven outputs are
-/// included, fixed ones are not. The error of an output is the Euclidean norm of its difference,
-/// divided by its scale (Scales). Angles are compared as they are, so a whole turn counts as an
-/// error. Differences include the remainders of the reference, if it has any: an error of 1e-20
-/// then shows as 1e-20.
+/// included, fixed ones are not. The error of an output is the Euclidean norm of its difference
+/// from the reference, divided by its scale (Scales). Angles are compared as they are, so a whole
+/// turn counts as an error. Differences include the remainders of the reference, if it has any: an
+/// error of 1e-20 then shows as 1e-20.
 class ErrorMeasure final : public Observer {
  public:
   /// outputs: entities to compare, each up to its level (Plan::outputs); fixed ones are skipped.
@@ -41,8 +41,8 @@ class ErrorMeasure final : public Observer {
                const Scales& scales, std::span<const Output> outputs = {}) = delete;
 
   Flow observe(const Instant& instant) noexcept override;
-  /// Returns the errors of the instants observed so far. SolutionError::instants counts the
-  /// compared ones: the size of the reference if the run had all of its instants.
+  /// Returns the errors of the instants observed so far. SolutionError::instants counts those that
+  /// were compared: the size of the reference if the run had all of its times.
   SolutionError error() const;
 
  private:
@@ -57,7 +57,7 @@ class ErrorMeasure final : public Observer {
   std::span<const ReferenceInstant> reference_;
   std::vector<Compared> compared_;
   std::size_t next_ = 0;  // index of the next reference instant
-  SolutionError so_far_;  // `rms` are sums of squares
+  SolutionError so_far_;  // LevelError::rms holds the sum of squares
 };
 
 }  // namespace desmo

@@ -45,6 +45,24 @@ TEST(Condition, OfASingularPositionIsInfiniteOrBeyondDouble) {
   EXPECT_GT(ConditionNumber(d.m)(d.q), 1e15);
 }
 
+/// The inverse has rows with a difference of infinite numbers, and finite ones after these.
+TEST(Condition, IsInfiniteWhereTheInverseOverflows) {
+  constexpr double tiny = 1e-310;
+  constexpr int pair = kind_index<Coupling<2>>(), three = kind_index<Coupling<3>>();
+  Model m;
+  const GroupId g = m.add_group("angles", {});
+  const EntityId fixed = m.add_fixed(EntityKind::angle, "fixed", std::array{0.0});
+  std::vector<EntityId> x;
+  for (const char* name : {"x0", "x1", "x2", "x3", "x4"})
+    x.push_back(m.add(EntityKind::angle, name, std::array{0.0}, g));
+  m.add({"first", pair, {x[0], fixed}, {1, 1, 0}, g});
+  m.add({"second", pair, {x[0], x[1]}, {1, tiny, 0}, g});
+  m.add({"third", pair, {x[0], x[2]}, {1, tiny, 0}, g});
+  m.add({"fourth", three, {x[1], x[2], x[3]}, {1, -1, 1, 0}, g});
+  m.add({"last", pair, {x[4], fixed}, {1, 1, 0}, g});
+  EXPECT_EQ(ConditionNumber(m)(m.estimate), INFINITY);
+}
+
 TEST(Condition, DoesNotDependOnUnits) {
   double condition[2];
   for (int unit = 0; unit < 2; ++unit) {

@@ -121,6 +121,7 @@ TEST(BlockProof, SaysWhatMostOfAnErrorComesFrom) {
   EXPECT_EQ(failure(0.6, 0, 1), ProofFailure::drivers);
   EXPECT_EQ(failure(0, 0.6, 1), ProofFailure::time);
   EXPECT_EQ(failure(0, 0.6, 4), ProofFailure::far_off);  // 0.6 of 3.6
+  EXPECT_EQ(failure(0, INFINITY, 1), ProofFailure::time);
 }
 
 }  // namespace

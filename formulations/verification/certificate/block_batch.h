@@ -21,8 +21,9 @@ struct BlockBatch {
     std::vector<int> rows;  ///< row of each column in ErrorTable
   };
 
+  /// - blocks: 1 to 4, independent and of one shape
   /// - magnitudes: of each coordinate, for trial boxes X and the condition number
-  /// - columns: number of symbols of ErrorTable, which `rounding` counts
+  /// - columns: largest number of symbols in ErrorTable, which `rounding` counts
   BlockBatch(std::span<const Member> blocks, const std::vector<double>& magnitudes, int columns);
 
   int blocks() const { return static_cast<int>(members.size()); }

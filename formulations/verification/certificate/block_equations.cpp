@@ -9,7 +9,8 @@ namespace desmo {
 
 namespace {
 
-/// Scalar that finds the degree of a homogeneous polynomial; all other functions are `mixed`.
+/// Scalar that finds the degree of a homogeneous polynomial. All other functions have a degree of
+/// `mixed` or more.
 struct Degree {
   static constexpr int mixed = 99;
   int value = 0;

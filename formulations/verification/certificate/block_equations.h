@@ -11,10 +11,10 @@
 
 namespace desmo {
 
-/// The n equations of up to four blocks of one shape, one in each lane, by the functions of the
-/// constraint kinds. States are local (BlockShape::states()): at an instant in intervals, of which
-/// Φ and its rates use only the midpoints; along a path as functions of s in [−1, 1] in Taylor
-/// models. Results have n equations.
+/// The n equations of up to four blocks of one shape, one block in each lane. The functions of the
+/// constraint kinds evaluate them. Arguments are the local states (BlockShape::states()). At an
+/// instant these are intervals, of which Φ and its rates use only the midpoints. Along a path they
+/// are functions of s in [−1, 1], enclosed in Taylor models.
 class BlockEquations {
  public:
   using States = PerLevel<std::vector<LaneInterval>>;
@@ -34,12 +34,14 @@ class BlockEquations {
   void motion(const States& x, Level level, States& phi) const;
   /// Evaluates Φ_q. Overwrites all entries of equations that are not linear.
   void jacobian(const LaneInterval* q, LaneMatrix& to) const;
-  /// Evaluates the entries of Φ̇_q that vary; at Level::acceleration those of Φ̈_q, too. Sets
-  /// constant entries to zero at `level` alone: velocity comes before acceleration.
+  /// Evaluates Φ̇_q; at Level::acceleration Φ̈_q, too. `level` is a rate. Needs a call at
+  /// Level::velocity before one at Level::acceleration: entries whose rates are always zero are set
+  /// at `level` alone.
   void jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const;
 
   // In path_equations.cpp.
-  /// Writes the states of a path that are fixed or that no equation reads.
+  /// Writes the states of a path that are fixed, and those that functions take although no equation
+  /// of the block depends on them.
   void write_fixed(PathValue* x) const;
   /// Evaluates Φ along a path. Overwrites phi. Rows count as exact: ShapedBlock::slack, which no
   /// model of a motion has, is not read.
@@ -72,7 +74,7 @@ class BlockEquations {
     const Compensated<LaneNumbers>* constants;
     const LaneInterval* enclosed_constants;
     const Compensated<LaneNumbers>* path_constants;
-    const Compensated<LaneNumbers>* fixed;  ///< of local states
+    const Compensated<LaneNumbers>* fixed;  ///< fixed_ of BlockEquations
     bool quadratic;  ///< each entry of Φ_q is constant or homogeneous of degree 1 in q
     std::vector<int> rate_slots;  ///< slots, with -1 for constant entries
   };
@@ -82,14 +84,14 @@ class BlockEquations {
   BlockShape shape_;
   std::vector<Compensated<LaneNumbers>> constants_;
   std::vector<LaneInterval> enclosed_constants_;
-  std::vector<Compensated<LaneNumbers>> path_constants_;  // with radii about their doubles
-  std::vector<Compensated<LaneNumbers>> fixed_;           // values of local states; 0 for others
-  std::vector<LaneNumbers> radii_;                        // of these, about their doubles
+  std::vector<Compensated<LaneNumbers>> path_constants_;  // corrections are part of the radii
+  std::vector<Compensated<LaneNumbers>> fixed_;           // fixed local states; 0 for others
+  std::vector<LaneNumbers> radii_;                        // see radius()
   std::vector<int> written_;                              // states that write_fixed() writes
   std::vector<Object> objects_;
   LinearEquations linear_;
   std::vector<LaneNumbers> slack_;     // bound on the error of each row of Φ (n); empty: 0
-  std::vector<int> constant_entries_;  // of Φ_q
+  std::vector<int> constant_entries_;  // entries of Φ_q that are constant
 };
 
 }  // namespace desmo

@@ -5,10 +5,11 @@
 
 namespace desmo {
 
-/// Returns why a lane is not proven, as its positions tell. Takes the unknown with the largest
-/// ratio of bound to trial radius. A term of its bound is the cause if it exceeds half of it;
-/// otherwise magnitudes decide.
+/// Judges by positions, even if these are proven and rates are not. Takes the unknown with the
+/// largest ratio of error bound to trial radius. The errors of the inputs are the cause if they
+/// make up more than half of that bound. Otherwise the sizes of the terms decide.
 ProofFailure BlockProof::failure(int lane) const {
+  if (condition_[lane] == 0) return ProofFailure::time;  // radii are infinite: no X was tried
   const ErrorColumns& e = errors_.position;
   const int n = shape_->unknowns;
   int worst = 0;

@@ -39,7 +39,7 @@ struct BlockEquations::FunctionsOf {
     to.c[0] = o.path_constants[k].value;
     to.rest = o.path_constants[k].radius;
   }
-  /// Sets the constants of a kind. Those of a table are taken about the operands x.
+  /// Sets the constants of a kind at operands x (set_dimensions()).
   template <class S>
   static void set_constants(Constants<S>& c, const Object& o, const S* const* x) {
     constexpr bool is_path = std::is_same_v<S, PathValue> || std::is_same_v<S, PathSlope>;

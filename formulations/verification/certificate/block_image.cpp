@@ -6,20 +6,25 @@
 
 namespace desmo {
 
-// Rounding. Errors are at most b + A X: b from find_image(), A X from contract(), with A =
-// |I − Y Φ_φ|. Let P = |Y| |Φ_φ| X, and Q = |Y| (|Φ_h| |δ| + the magnitudes of lower terms). These
-// functions add `rounding` times P and Q. That covers the following, in units of roundoff, for a
-// block of w columns, n of them unknown, and K symbols:
+// Rounding. The errors of the unknowns are at most b + A X, where A = |I − Y Φ_φ|. find_image()
+// finds b, and contract() finds A X. They add `rounding` times P and Q:
 //
-// - Y Φ_φ and Y Φ_h: n (X + P) and n Q, since each entry takes n roundings
+//   P = |Y| |Φ_φ| X
+//   Q = |Y| (|Φ_h| |δ| + the magnitudes of the lower terms, which only rates have)
+//
+// This covers the following, in units of roundoff, for a block of w columns, n of them unknowns,
+// and K symbols:
+//
+// - Y Φ_φ and Y Φ_h: n (X + P) and n Q. Each entry takes n roundings.
 // - centres and symbols: (3 w + 2) (P + 2 Q). They take 3 w + 2 roundings from Φ on, and
-//   |Φ| ≤ |Φ_φ| X + |Φ_h| |δ| + … where b + A X ≤ X
-// - constant entries of Φ_q: P and Q, if each were rounded once
-// - bounds: (3 w + K + 6) X. They are sums of positive products with at most so many roundings
+//   |Φ| ≤ |Φ_φ| X + |Φ_h| |δ| + … where b + A X ≤ X.
+// - constant entries of Φ_q: P and Q, as if each entry were rounded once
+// - bounds: (3 w + K + 6) X. They are sums of positive products, with 3 w + K + 6 roundings or
+// less.
 //
-// For rates, X is what bound_rates() multiplies A with. A proof requires A X ≤ X/2, so X ≤ A X + P
-// is at most 2 P. The sum is at most (12 w + 2 K + 15) P + (7 w + 5) Q, and `rounding` is
-// 32 (w + K) units.
+// For rates, X stands for the vector that bound_rates() multiplies A with. A proof requires
+// A X ≤ X/2. Since X ≤ A X + P, X is at most 2 P. The sum of all is then at most
+// (12 w + 2 K + 15) P + (7 w + 5) Q, and `rounding` is 32 (w + K) units.
 
 /// Finds b, the part of the errors that X does not cause: −Y Φ − Y Φ_h δ, and for rates −Y times
 /// the lower terms.

@@ -118,7 +118,8 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   const BlockBatch& b = *batch_;
   lower_.clear();
   if (!shape_->linear) {
-    // Φ̇_q and Φ̈_q over the errors of all lower levels, at the delivered rates of this level.
+    // Encloses Φ̇_q and Φ̈_q over the errors of all lower levels, at the delivered rates of this
+    // level.
     b.equations.jacobian_rates(state_, level, rates_);
     lower_.push_back({level, 1, Level::position});
     if (level == Level::acceleration) lower_.push_back({Level::velocity, 2, Level::velocity});
@@ -135,6 +136,7 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   return lanes;
 }
 
+/// Writes the errors of the unknowns to the table. Lanes that were not tried have unknown errors.
 void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTable& to) const {
   const BlockBatch& b = *batch_;
   const ErrorColumns& e = errors_[level];
@@ -158,7 +160,7 @@ void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTabl
   }
 }
 
-/// Subtracts (1 − t) Φ₀ from Φ, and the time derivative of it, −Φ₀, from Φ̇.
+/// Subtracts (1 − t) Φ₀ from Φ, and the time derivative of that term, −Φ₀, from Φ̇.
 void BlockProof::add_homotopy(Level up_to, double time) {
   const LaneInterval share = LaneInterval(1) - LaneInterval(time);
   for (int r = 0; r < shape_->unknowns; ++r) {

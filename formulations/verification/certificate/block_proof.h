@@ -26,11 +26,11 @@ class BlockProof {
   /// Returns why a lane of the batch that prove() took last is not proven.
   ProofFailure failure(int lane) const;
   /// Returns the condition number of each block of that batch (Preconditioner::condition); 0 where
-  /// the errors of its inputs are not known.
+  /// the errors of the block's inputs are not bounded.
   const LaneNumbers& condition() const { return condition_; }
 
  private:
-  /// Errors at one level (see ErrorTable::Row) of each column of a block (n + m). Those of the
+  /// Errors at one level of each column of a block (n + m), as in ErrorTable::Row. Errors of the
   /// unknowns are bounds only after finish().
   struct ErrorColumns {
     std::vector<LaneNumbers> centre, own, sum;
@@ -71,7 +71,7 @@ class BlockProof {
   std::vector<LaneNumbers> centre_, uncertainty_;
   std::vector<LaneNumbers> trial_;       // radii of X (n)
   std::vector<LaneNumbers> contracted_;  // bound on |(I − Y Φ_φ(X)) X| (n)
-  std::vector<double> generators_;       // symbols of the same (n × columns)
+  std::vector<double> generators_;       // G (ErrorTable) of what centre_ holds (n × columns)
 };
 
 }  // namespace desmo

@@ -10,7 +10,7 @@ namespace desmo {
 
 namespace {
 
-/// A chain is long if it has more groups than this.
+/// Largest number of groups of a chain that is not long.
 constexpr int max_boxed_chain = 8;
 constexpr int level_count = static_cast<int>(all_levels.size());
 
@@ -45,14 +45,14 @@ class ScheduleBuilder {
   }
 
  private:
-  /// Steps that may follow those of lower depths: blocks whose inputs all have lower depths, and
-  /// groups of long chains whose inputs have.
+  /// What can be certified once all lower depths are: links and other blocks whose inputs all have
+  /// lower depths.
   struct Depth {
     std::vector<CertificationStep> links;
     std::vector<BlockBatch::Member> members;
   };
 
-  /// Finds what each group reads, and how long the longest chain through it is.
+  /// Finds what each group reads, how long the longest chain through it is, and which are links.
   void find_chains(const std::vector<PartDefinition>& definitions) {
     const std::size_t size = definitions.size();
     reads_.resize(size);
@@ -77,7 +77,8 @@ class ScheduleBuilder {
   }
   bool is_long(int group) const { return group >= 0 && chain_[group] > max_boxed_chain; }
 
-  /// Returns a block with the rows of its columns. row: of each coordinate; empty: its own number.
+  /// Returns a block with the rows of its columns in ErrorTable. row: row of each coordinate;
+  /// empty: coordinate i has row i.
   BlockBatch::Member member(const PartDefinition& part, const std::vector<int>& row) {
     BlockBatch::Member made{
         shaped_block(m_, part), part.groups.front(), order_++, Level::acceleration, {}};
@@ -173,12 +174,14 @@ class ScheduleBuilder {
   const Model& m_;
   std::span<const Level> up_to_;
   const std::vector<double> magnitudes_;
-  std::vector<std::map<int, std::vector<int>>> reads_;  // coordinates by group; -1: driven
-  std::vector<int> chain_;                              // groups in the longest chain through each
-  std::vector<bool> is_link_;                           // whether each group gets a ChainLink
+  // Coordinates that each group reads, by the group that solves them; -1: they are driven.
+  std::vector<std::map<int, std::vector<int>>> reads_;
+  std::vector<int> chain_;     // groups in the longest chain through each
+  std::vector<bool> is_link_;  // whether each group gets a ChainLink
   std::map<int, int> link_of_;
-  std::vector<int> group_, row_;  // of each coordinate; -1: driven, or not in a link
-  std::vector<int> depth_;        // of each coordinate; 0: driven
+  std::vector<int> group_;  // group that solves each coordinate; -1: it is driven
+  std::vector<int> row_;    // row of each coordinate in its link; -1: it is in none
+  std::vector<int> depth_;  // depth of each coordinate; 0: it is driven
   int order_ = 0;
   std::map<int, Depth> depths_;
   BlockSchedule result_;

@@ -10,19 +10,19 @@
 
 namespace desmo {
 
-/// Interfaces of a structural group through which errors may go on in bases. A chain is a sequence
-/// of groups, each of which reads from the one before. The group lies in a long chain, or reads
-/// from a group that does.
+/// A structural group that takes or hands on errors in bases. It lies in a long chain, or reads
+/// from a group that does. A chain is a sequence of groups, each of which reads from the one
+/// before.
 struct ChainLink {
-  /// Interface of an earlier group that this one reads, by lent rows of ErrorTable. All other
-  /// inputs are boxes.
+  /// An interface of an earlier group that this group reads. Its errors stand in lent rows of
+  /// ErrorTable. Errors of all other inputs are boxes.
   struct Source {
-    int interface;
-    int row;     ///< first lent row
-    int symbol;  ///< number of symbols before its own, at each level
+    int interface;  ///< position in BlockSchedule::interfaces
+    int row;        ///< first lent row
+    int symbol;     ///< number of symbols of the sources before this one, at each level
   };
   std::vector<Source> sources;
-  std::vector<int> interfaces;  ///< interfaces of this group that later groups read
+  std::vector<int> interfaces;  ///< positions of this group's interfaces that later groups read
   int symbols = 0;              ///< symbols of all sources, at each level
 };
 
@@ -33,7 +33,8 @@ struct CertificationStep {
   int link = -1;  ///< position of their group's link in BlockSchedule::links. -1: none
 };
 
-/// The blocks of a model in a solution order. A batch holds equal blocks that are independent.
+/// The blocks of a model in an order of solution. A batch holds blocks of one shape that do not
+/// read each other.
 struct BlockSchedule {
   std::vector<CertificationStep> steps;
   std::vector<ChainLink> links;

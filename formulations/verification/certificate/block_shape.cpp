@@ -52,7 +52,7 @@ class ShapeBuilder {
     constraints_.push_back(&c);
   }
 
-  /// Returns the first local state of an entity; numbers its states if they are new.
+  /// Returns the first local state of an entity. If the entity is new, numbers its states.
   int local(EntityId entity) {
     const int first = m_.state_index(entity);
     const auto known = std::ranges::find(block_.states, first);

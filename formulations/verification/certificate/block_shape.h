@@ -11,9 +11,9 @@
 namespace desmo {
 
 /// Structure of the equations of an irreducible block. Blocks of equal shape have the same
-/// equations; they differ in dimensions and in the states that they read. Local states are numbered
-/// by first appearance. Columns of Jacobians are the n unknowns, then the m inputs: coordinates
-/// that other blocks or drivers determine.
+/// equations; they differ in dimensions and in the states that they read. The states that a block
+/// reads are its local states, numbered by first appearance. Columns of Jacobians are the n
+/// unknowns, then the m inputs: coordinates that other blocks or drivers determine.
 struct BlockShape {
   static constexpr int max_operands = 5, max_rows = 3;
 
@@ -23,15 +23,16 @@ struct BlockShape {
     std::array<int, max_operands> operands;  ///< first local state of each
     std::array<int, max_rows> rows;          ///< row in the block; -1: not of this block
     int first_constant;
-    /// Position in `entries` of each entry that Kind::jacobian emits. -1: none.
+    /// Position in `entries` of each entry that Kind::jacobian emits. -1: its row is not of this
+    /// block, or its state is fixed.
     std::vector<int> slots;
     bool operator==(const Object&) const = default;
   };
 
   int unknowns = 0, inputs = 0;  ///< n, m
   std::vector<Object> objects;
-  /// Column of each local state. `fixed`: of a fixed entity. `unread`: no equation of the block
-  /// depends on it.
+  /// Column of each local state. `fixed`: the state is that of a fixed entity. `unread`: no
+  /// equation of the block depends on the state.
   std::vector<int> columns;
   static constexpr int fixed = -1, unread = -2;
   /// Column of each entry of Φ_q that is not always zero, row by row, ascending in a row.
@@ -49,8 +50,8 @@ struct BlockShape {
   int states() const { return static_cast<int>(columns.size()); }
 };
 
-/// Calls a function with the number of unknowns where loops over them are to be unrolled, else with
-/// 0. Most blocks have one unknown or three.
+/// Calls function.operator()<N>(). N is the number of unknowns where loops over them are to be
+/// unrolled, else 0. Most blocks have one unknown or three.
 template <class Function>
 void with_unrolled_size(int unknowns, Function&& function) {
   unknowns == 1   ? function.template operator()<1>()
@@ -66,7 +67,7 @@ struct ShapedBlock {
   std::vector<Derived> constants;
   std::vector<Derived> fixed;  ///< values of local states; 0 for those of coordinates
   /// Bound on the error of each row of Φ (n), from Constraint::slack; 0: exact. Only proofs of
-  /// positions read it: rates and paths know no bound.
+  /// positions count it: a model with slack gets no proofs of rates or paths.
   std::vector<double> slack;
   std::vector<double> initial;  ///< Φ₀ of a homotopy (n); empty: none
 

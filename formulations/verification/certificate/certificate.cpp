@@ -29,7 +29,7 @@ class Certifier::Proof {
   std::span<const Level> solved_;  // levels of the present instant
   ErrorSets sets_ = ErrorSets::boxes;
   PerLevel<ErrorTable> errors_;
-  std::vector<double> unbounded_, zeros_;  // of levels that are not solved
+  std::vector<double> unbounded_, zeros_;  // results at levels that are not solved
 };
 
 Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
@@ -50,8 +50,8 @@ Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
     errors_.position.rows[m.coordinates() + i].delivered = m.fixed_values[i];
 }
 
-/// Takes the delivered numbers. Finds the errors of driven ones from the exact motions or from
-/// drivers that were handed in; all others are unknown, infinite.
+/// Takes the delivered numbers. Finds the errors of driven coordinates from the exact motions, or
+/// from drivers that were handed in. The errors of all other coordinates are unknown: infinite.
 void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   using Number = Compensated<double>;
   const PerLevel<std::span<const double>> values{instant.q, instant.qd, instant.qdd};
@@ -79,7 +79,7 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   }
 }
 
-/// Fills the lent rows that a group reads, at each of the solved levels.
+/// Fills the lent rows that a group of a long chain reads, at each of the solved levels.
 void Certifier::Proof::load(const ChainLink& link) {
   const int count = sets_ == ErrorSets::bases ? static_cast<int>(solved_.size()) : 0;
   for (const Level level : solved_) {
@@ -90,7 +90,7 @@ void Certifier::Proof::load(const ChainLink& link) {
   }
 }
 
-/// Encloses the errors of the interfaces that later groups of a chain read.
+/// Encloses the errors of a group's interfaces, which later groups of the chain read.
 void Certifier::Proof::leave(const ChainLink& link) {
   const std::span<const Level> enclosed =
       solved_.first(sets_ == ErrorSets::bases ? solved_.size() : 0);

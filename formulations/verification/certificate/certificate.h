@@ -15,7 +15,7 @@ enum class ProofFailure {
   none,
   singular,  ///< the position is too near a singular one
   drivers,   ///< known errors of the inputs are too large: as a rule rounding of driver values
-  time,      ///< radii of the inputs are too large: as a rule those of the motions at the time
+  time,      ///< radii of the inputs are too large or infinite: as a rule those of the motions
   origin,    ///< rounding of coordinates is too large, so far from the origin
   sizes,     ///< rounding is too large, with lengths or rates of so different sizes
   far_off,   ///< the delivered numbers are off by more than their rounding, too much for a proof
@@ -23,7 +23,7 @@ enum class ProofFailure {
 
 /// Sets that enclose the errors which a group of a long chain hands to the next.
 enum class ErrorSets {
-  boxes,  ///< boxes along the coordinates; bases where boxes prove nothing
+  boxes,  ///< boxes along the coordinates; where these prove nothing, bases are tried
   bases,  ///< boxes in orthonormal bases, which turn with the errors; at twice the price
 };
 
@@ -40,12 +40,12 @@ struct Certificate {
   /// proven.
   GroupId group = no_position;
   ProofFailure failure = ProofFailure::none;  ///< of that block
-  /// Condition number of the worst block at the delivered position, and its structural group. It is
-  /// like ConditionNumber (condition.h), but of the block alone, and with characteristic lengths in
+  /// Condition number of the worst block at the delivered position, 1 or more. It is like
+  /// ConditionNumber (condition.h), but of the block alone, and with characteristic lengths in
   /// place of the mechanism's size. Row sums count the columns of inputs, too. Infinite where a
   /// position is singular. Rounded, and no bound.
   double condition = 1;
-  GroupId worst_conditioned = no_position;
+  GroupId worst_conditioned = no_position;  ///< structural group of that block
   /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
   /// Infinite where no proof succeeded, in what depends on such a block, and at levels that are not
   /// solved. A driven coordinate is exact at its motion at the time. Valid until the next
@@ -73,7 +73,7 @@ struct Certificate {
 /// - Φ and its rates: BlockEquations::motion(); midpoint and radius go into find_image()
 /// - Φ_φ and Φ_h within X and δ, and their rates: BlockEquations::jacobian(), jacobian_rates()
 /// - errors of drivers: Certifier::Proof::take()
-/// - what dimensions and fixed values lack of those in the file: BlockEquations, LinearEquations
+/// - differences of dimensions and fixed values from the file's: BlockEquations, LinearEquations
 /// - bounds on the error of rows of Φ (Constraint::slack): BlockEquations::motion()
 /// - errors δ of earlier blocks: BlockProof::gather(); centres and radii go through Y Φ_h in
 ///   find_image(), symbols in find_generators()

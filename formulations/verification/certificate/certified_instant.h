@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-/// Returns the levels at which there are values; they are ascending from positions.
+/// Returns the levels at which there are values, from positions up.
 inline std::span<const Level> levels_of(const PerLevel<std::span<const double>>& values) {
   return std::span(all_levels)
       .first(values.velocity.empty()       ? 1
@@ -19,16 +19,16 @@ inline std::span<const Level> levels_of(const PerLevel<std::span<const double>>&
 struct CertifiedInstant {
   double time = 0;                             ///< [s]
   PerLevel<std::span<const double>> values{};  ///< all coordinates; empty above the levels it has
-  std::span<const double> radius{};            ///< of the positions (Certificate::radius)
-  std::span<const Level>
-      levels{};  ///< up to which each coordinate is solved; empty: up to that of `values`
+  std::span<const double> radius{};            ///< bounds on the errors of the positions
+  /// Level up to which each coordinate is solved; empty: the highest level of `values`.
+  std::span<const Level> levels{};
 };
 
 /// A copy of a certified instant, in memory of its own.
 struct InstantCopy {
   double time = 0;                         ///< [s]
   PerLevel<std::vector<double>> values{};  ///< (coordinates), or empty
-  std::vector<double> radius{};            ///< of the positions (coordinates), or empty
+  std::vector<double> radius{};            ///< see CertifiedInstant (coordinates), or empty
 
   InstantCopy() = default;
   /// Allocates all levels.
@@ -36,8 +36,8 @@ struct InstantCopy {
     for (const Level level : all_levels) values[level].resize(coordinates);
   }
 
-  /// Copies an instant without its levels. It must not be a view of this copy. Allocates at most
-  /// the first time.
+  /// Copies an instant without CertifiedInstant::levels. The instant must not be a view of this
+  /// copy. Allocates nothing at levels that have memory already.
   void assign(const CertifiedInstant& instant) {
     time = instant.time;
     for (const Level level : all_levels)

@@ -9,7 +9,9 @@ namespace {
 
 constexpr double unit = Interval::unit;
 
-/// Returns values and derivatives by s of four coordinates at an end of a path, up to a level.
+/// Returns values and derivatives with respect to s of four coordinates, from `first` on, at an end
+/// of a path.
+/// - level: highest derivative
 /// - half: half of the path's duration [s], which is dt/ds
 EndValues<LaneNumbers> values_at(const CertifiedInstant& end, int first, Level level, double half) {
   EndValues<LaneNumbers> values{LaneNumbers::load(end.values.position, first)};
@@ -26,13 +28,14 @@ LaneNumbers distance(const Quintic<LaneNumbers>& path, double s, const LaneNumbe
   return abs(value_at(path, LaneNumbers(s)) - q) + radius;
 }
 
-/// Bounds the larger of the distances at the first and the last end, with all rounding.
+/// Bounds the larger of the distances at the first and the last end, with all rounding. Infinite
+/// where one of them is not finite.
 LaneNumbers gap(const Quintic<LaneNumbers>& path, const LaneNumbers& first,
                 const LaneNumbers& last) {
   LaneNumbers size(0);
   for (const LaneNumbers& c : path) size += abs(c);
-  // Horner's rule rounds twice for each degree. The two roundings of s count `degree` times at
-  // most.
+  // Horner's rule rounds twice for each degree. s has two roundings, which count path_degree times
+  // at most. Two more cover the distance.
   constexpr double rounding = (4 * path_degree + 2) * unit;
   const LaneNumbers widest = (max(first, last) + rounding * size) * (1 + 8 * unit);
   return select(is_finite(first + last), widest, INFINITY);  // max() may drop a NaN

@@ -54,9 +54,9 @@ void ErrorBasis::find_directions() {
       }
       double length = 0;
       for (int i = 0; i < d; ++i) length += basis_[i * d + s] * basis_[i * d + s];
-      // A direction that depends on earlier ones keeps a squared length below 1/(2 d): the next
-      // unit vector replaces it. One always serves. The squared lengths that the d unit vectors
-      // keep sum up to d − s ≥ 1, and those of rejected ones to less than 1/2.
+      // What is left of a direction that depends on earlier ones has a squared length below
+      // 1/(2 d). The next unit vector then replaces it. One always serves: the squared lengths that
+      // are left of all d unit vectors sum to d − s ≥ 1, those of rejected ones to less than 1/2.
       again = length * (2 * d) < 1 && unit < d;
       length = again ? 1 : 1 / std::sqrt(length);
       for (int i = 0; i < d; ++i)
@@ -86,7 +86,7 @@ double ErrorBasis::deviation(std::span<const double> q, int d) {
   // - QᵀQ: (d + 1)². Each row has d sums of d + 1 terms, whose magnitudes add up to d + 1.
   // - Qᵀ G: d². The error of each column is at most d |Qᵀ| |G|. Rows of |G| have sums of at most √d
   //   times the widest radius, since all errors are Q s; columns of |Q| have sums of at most √d.
-  // - the errors' own radii, d products: d + 1; the sum over a row above: d
+  // - the errors' own radii, d products: d + 1; `sum` above: d
   // - adding this correction, its quotient, its product and generator(): less than 4
   return worst + 4 * d * (d + 2) * Interval::unit;
 }

@@ -19,15 +19,17 @@ class ErrorBasis {
 
   /// Begins a set of errors, all of which set() must then set. columns: number of columns of G.
   void start(int errors, int columns);
-  /// Sets error i: its row of G, and its own radius. Their sum must be 0 or above 1e-300.
+  /// Sets error i: its row of G (columns), and its own radius. The sum of own and the magnitudes of
+  /// G(i, k) must be 0 or above 1e-300.
   void set(int i, const double* generators, double own);
   /// Encloses all errors. Allocates nothing.
   void enclose();
 
   /// Returns a bound on ‖I − QᵀQ‖∞ for a matrix Q (d × d, by rows) with nearly orthonormal columns.
-  /// It includes a bound on all other rounding of enclose(), over the widest radius.
+  /// The bound also covers all other rounding of enclose(), relative to the box's widest radius.
   static double deviation(std::span<const double> q, int d);
 
+  /// Returns the number of errors, which is also that of new symbols.
   int size() const { return size_; }
   /// Returns H(i, s), rounded once.
   double generator(int i, int s) const { return basis_[i * size_ + s] * radii_[s] / scale_[i]; }
@@ -40,7 +42,7 @@ class ErrorBasis {
   std::vector<double> own_;         // own radius of each error times its scale (size)
   std::vector<double> scale_;       // power of two that brings an error > 0 to about 1 (size)
   std::vector<double> basis_;       // Q (size × size)
-  std::vector<double> radii_;       // of the box in the basis (size)
+  std::vector<double> radii_;       // radii of the box in the basis (size)
   std::vector<double> rest_;        // workspace: scaled G less its parts along directions found
   std::vector<double> sums_;        // workspace (columns)
 };

@@ -16,8 +16,8 @@ struct EndValues {
 template <class S>
 using Quintic = std::array<S, 6>;
 
-/// Returns Hermite's polynomial through values and derivatives at s = −1 and s = 1, up to a level
-/// of derivatives: a chord, a cubic or a quintic.
+/// Returns Hermite's polynomial through the values a at s = −1 and b at s = 1, with their
+/// derivatives up to `level`: a chord, a cubic or a quintic.
 template <class S>
 Quintic<S> hermite(const EndValues<S>& a, const EndValues<S>& b, Level level) {
   const S half(0.5), three(3);

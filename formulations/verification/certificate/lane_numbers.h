@@ -43,6 +43,7 @@ struct LaneNumbers {
   friend LaneNumbers abs(const LaneNumbers& a) {
     return LaneNumbers((Numbers)((Bits)a.v & (Bits{} + 0x7fff'ffff'ffff'ffff)));
   }
+  /// Return the smaller and the larger number; b where one of them is not a number.
   friend LaneNumbers min(const LaneNumbers& a, const LaneNumbers& b) {
     return LaneNumbers(a.v < b.v ? a.v : b.v);
   }
@@ -66,7 +67,7 @@ struct LaneNumbers {
                         : of_each([](double x) { return std::cos(x); }, a);
   }
 
-  /// Returns whether all lanes have the same bits: a batch of a single block repeats it.
+  /// Returns whether all lanes have the same bits, as those of a batch that repeats a single block.
   bool are_same() const {
     const Bits bits = (Bits)v;
     return ((bits[0] ^ bits[1]) | (bits[0] ^ bits[2]) | (bits[0] ^ bits[3])) == 0;
@@ -77,7 +78,7 @@ struct LaneNumbers {
     __builtin_memcpy(&x.v, from, sizeof x.v);
     return x;
   }
-  /// Returns four of some numbers, from a position on; zeros after the last one.
+  /// Returns x[first] … x[first + 3]; zeros after the last number of x.
   static LaneNumbers load(std::span<const double> x, std::size_t first) {
     if (first + count <= x.size()) return load(&x[first]);
     LaneNumbers some;
@@ -118,7 +119,7 @@ struct LaneMask {
   friend LaneMask operator!(LaneMask a) { return {~a.bits}; }
 };
 
-/// Returns where a is less than b; not where one of them is not a number.
+/// Returns where a is less than b: false where one of them is not a number.
 inline LaneMask less(const LaneNumbers& a, const LaneNumbers& b) {
   return {(LaneNumbers::Bits)(a.v < b.v)};
 }

@@ -11,9 +11,10 @@ namespace desmo {
 
 namespace {
 
-/// Returns a number as an interval about its leading double.
+/// Returns a number as an interval whose midpoint is the number's leading double.
 LaneInterval about_double(const Compensated<LaneNumbers>& x) { return {x.value, rest_of(x)}; }
 
+/// Returns whether a number is not exactly 0 in some lane.
 bool is_some(const Compensated<LaneNumbers>& x) {
   return (!is_zero(abs(x.value) + abs(x.correction) + x.radius)).any();
 }

@@ -13,11 +13,12 @@ namespace desmo {
 
 using LaneInterval = BasicInterval<LaneNumbers>;
 
-/// Degree of what residuals along a path are evaluated in: that of the path, a quintic.
+/// Degree of the Taylor models in which Φ is evaluated along a path: that of the path, a quintic.
 inline constexpr int path_degree = 5;
+/// A state along a path, from which Φ is evaluated.
 using PathValue = TaylorModel<LaneNumbers, path_degree>;
-/// A state of which Φ_q along a path is taken. Linear parts of points that move together cancel in
-/// differences, where intervals would add up.
+/// A state along a path, from which Φ_q is evaluated. Where points move together, linear parts
+/// cancel in their differences; intervals would add up.
 using PathSlope = TaylorModel<LaneNumbers, 1>;
 
 /// An interval matrix for each lane, with the entries that BlockShape::entries lists. Midpoints and
@@ -32,14 +33,15 @@ struct LaneMatrix {
     mid[entry] = value.mid;
     radius[entry] = value.radius;
   }
-  /// Sets it to all values along a path. A call would cost as much as this.
+  /// Sets an entry to an interval of its values along a path; -1: none. It is inlined, since a call
+  /// would cost as much.
   [[gnu::always_inline]] void set(int entry, const PathSlope& value) {
     if (entry >= 0) set(entry, {value.c[0], value.variation()});
   }
 };
 
-/// The linear ones among the n equations of a batch: Φ = Σ factor × local state + Φ(0). Proofs
-/// about instants and proofs about paths share them.
+/// The equations of linear kinds among the n equations of a batch: Φ = Σ factor × local state +
+/// Φ(0). Proofs about instants and proofs about paths share them.
 class LinearEquations {
  public:
   LinearEquations() = default;
@@ -67,9 +69,10 @@ class LinearEquations {
     LaneInterval enclosed;  ///< the factor, as an interval about its double
   };
   struct Equation {
-    int row;                          ///< of the block
-    LaneInterval at_origin;           ///< Φ(0), as an interval about its double
-    Compensated<LaneNumbers> offset;  ///< Φ(0) + Σ factor × remainder of a fixed state
+    int row;                 ///< row in the block
+    LaneInterval at_origin;  ///< Φ(0), as an interval about its double
+    /// Φ(0) + Σ factor × (number of the file − double) of fixed states.
+    Compensated<LaneNumbers> offset;
     std::vector<Term> terms;
   };
 

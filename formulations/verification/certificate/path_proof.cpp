@@ -76,7 +76,7 @@ void PathProof::gather(const BlockBatch& b) {
   for (int j = n; j < shape.width(); ++j) slopes_[b.locals[j]].rest += errors_[j - n];
 }
 
-/// Subtracts (1 − t) Φ₀ from Φ along the path.
+/// Subtracts (1 − t) Φ₀ from Φ along the path, on which the time t is a function of s.
 void PathProof::add_homotopy(const BlockBatch& b) {
   PathValue time(span_.middle), one(1);
   time.c[1] = span_.half;

@@ -49,9 +49,9 @@ struct TimeSpan {
   double time(double s) const { return middle + half * s; }
 };
 
-/// Returns the first knot of a driver's spline between two times [s], both excluded: a step is to
-/// be split there. The first and the last knot of a spline do not count: its outer cubics reach
-/// beyond them.
+/// Returns the first knot of a driver's spline between two times [s], both excluded; nothing if
+/// there is none. A step is to be split there. The first and the last knot of a spline do not
+/// count: its outer cubics reach beyond them.
 std::optional<double> first_knot(const Model& model, double from, double to);
 
 /// Prover that two certified instants lie on one smooth motion. In a tube about a path between
@@ -94,6 +94,7 @@ class PathProof {
   double centre(int coordinate, double time) const;
   /// Returns the tube's centre line as a polynomial of s.
   const Quintic<double>& path(int coordinate) const { return paths_[coordinate].path; }
+  /// Returns the time [s] at an s of the step tested last.
   double time_at(double s) const { return span_.time(s); }
 
  private:

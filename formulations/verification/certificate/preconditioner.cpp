@@ -47,8 +47,8 @@ void Preconditioner::resize(int n, int m) {
   single_.resize(n);
 }
 
-/// Finds Y with pivots that these lanes share. Each pivot maximises |entry| / largest entry of its
-/// row, where the lane with the smallest ratio counts.
+/// Finds Y with pivots that these lanes share. A pivot maximises the ratio |entry| / largest entry
+/// of its row, of which the smallest among the lanes counts. Other lanes keep their Y.
 template <int N>
 void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
   const int n = N > 0 ? N : s.unknowns;
@@ -105,7 +105,8 @@ void Preconditioner::invert_three(const BlockShape& s, const LaneNumbers* jacobi
     for (int j = 0; j < 3; ++j) inverse[3 * j + i] = cofactor(i, j) * scale;
 }
 
-/// Finds |d − Y c| for a column c of Φ_q with Count entries. d has a 1 in row `one`, else zeros.
+/// Finds |d − Y c| for a column c of Φ_q with Count entries. d has a 1 in row `one`, if that is
+/// less than n, and else zeros.
 template <int N, int Count>
 void Preconditioner::multiply(const int* rows, const int* entries, const LaneNumbers* jacobian,
                               int size, int one, LaneNumbers* to, int stride) const {
@@ -183,7 +184,7 @@ void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, Lane
   if (s.unknowns > 1) {
     LaneNumbers worst(0);
     for (int i = 0; i < s.unknowns * s.unknowns; ++i) worst += remainder[i];
-    // Below it, |I − Y Φ_φ| takes a first X, of about first_trial, to less than one roundoff.
+    // Below this sum, |I − Y Φ_φ| shrinks the first X, about first_trial, to less than a roundoff.
     constexpr double good = Interval::unit / first_trial;
     const LaneMask poor = lanes & !less(worst, good);
     if (poor.any()) {

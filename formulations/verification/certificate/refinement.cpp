@@ -12,14 +12,15 @@ namespace desmo {
 
 namespace {
 
-/// Share of the last pass' bounds below which Newton's method still converges. A pass takes errors
-/// e to c e² (curvature c). Their proof needs 16 c e < 1, so less than e/16 is left. Bounds are of
-/// second order in e, so less than 1/256 of them is left. Bounds that fall less are rounding.
+/// Limit of the ratio of a pass' bounds to those of the best pass before (<), below which Newton's
+/// method still converges. A pass takes errors e to c e² with the curvature c. A proof of e needs
+/// 16 c e < 1, so less than e/16 is left. Bounds are of second order in e: less than 1/256 of them
+/// is left. Bounds that fall less are rounding.
 constexpr double max_left = 1.0 / 256;
 
 constexpr int count = LaneNumbers::count;
 
-/// Returns the numbers where the mask is true, elsewhere 0.
+/// Returns x where the mask is true, elsewhere 0.
 LaneNumbers where(LaneMask mask, const LaneNumbers& x) {
   return LaneNumbers((LaneNumbers::Numbers)((LaneNumbers::Bits)x.v & mask.bits));
 }
@@ -65,7 +66,8 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     for (const Level level : levels_) {
       is_right &= now[level].open <= 1;
       before = std::max(before, now[level].before);
-      // Compares errors themselves, not errors over sizes: sizes of rates shrink, too, at rest.
+      // Multiplies the ratios of both kinds. Compares errors themselves, not errors over sizes:
+      // sizes of rates shrink, too, at rest.
       double share = result_.proven ? 1 : 0;
       for (const int kind : {0, 1})
         if (least[level][kind] > 0) share *= now[level].rest[kind] / least[level][kind];
@@ -77,8 +79,9 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     }
     result_.proven = true;
     if (is_right) break;
-    // With errors of `before` units, another pass changes (κ before)² u units. It is worth its time
-    // above half a unit.
+    // A unit is u × the largest number of the kind, κ the condition number. After errors of
+    // `before` units, another pass changes (κ before)² u units. It is worth its time above half a
+    // unit.
     const double second = c.condition * before;
     if (converges && second * second * Interval::unit > 0.5) continue;
     if (sets == ErrorSets::bases || !certifier_.has_long_chains()) break;
@@ -91,8 +94,8 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
   return result_;
 }
 
-/// Adds the corrections and finds the radii of the sums: what corrections leave, plus the rounding
-/// of the sum, which is known exactly (Knuth).
+/// Adds the corrections to next_, and writes the radii of the sums to radius_: what corrections
+/// leave, plus the rounding of the sum, which TwoSum (Knuth) finds exactly.
 void Refinement::add_corrections(const Certificate& c) {
   for (const Level level : all_levels) {
     const double *correction = c.correction[level].data(), *rest = c.rest[level].data();
@@ -108,9 +111,9 @@ void Refinement::add_corrections(const Certificate& c) {
   }
 }
 
-/// Returns bounds on the errors at each level, over the largest numbers of each kind. These are
-/// completed like Scales: a kind at rest takes the velocity of the other kind, and accelerations
-/// count as at least velocity²/size.
+/// Returns bounds on the errors at each level, over the largest numbers of each kind. The largest
+/// numbers are completed like Scales: a kind at rest takes the velocity of the other kind, and
+/// accelerations count as at least velocity²/size.
 PerLevel<Refinement::Digits> Refinement::digits(const Certificate& c) const {
   PerLevel<Digits> result{};
   PerLevel<std::array<double, 2>> correction{}, size{};

@@ -14,10 +14,10 @@ struct RefinedInstant {
   bool proven = false;
   /// Bounds on |instant − exact| of each coordinate, at the levels of the instant alone.
   PerLevel<std::span<const double>> radius{};
-  /// Certificate of the last pass; of the last proven pass, if one is. Its spans are those of the
-  /// last pass in either case.
+  /// Certificate of the last proven pass or, if none is proven, of the last pass. Its spans view
+  /// memory of the certifier: they hold numbers of the last pass, proven or not.
   Certificate last{};
-  int passes = 0;
+  int passes = 0;  ///< number of certificates
 };
 
 /// Refinement of solved instants, whatever solved them. It certifies an instant and adds the
@@ -28,8 +28,8 @@ struct RefinedInstant {
 ///   const RefinedInstant r = refinement.refine(instant);   // in an observer, for example
 class Refinement {
  public:
-  /// Maximum number of passes up to the first proof, and again after it. Correct bits double in
-  /// each pass: six lead from one bit to 53; two more may be needed to the first one.
+  /// Maximum number of passes up to the first proven one, and again from that one on. Correct bits
+  /// double in each pass: six lead from one bit to 53. Two more may be needed to the first bit.
   static constexpr int max_passes = 8;
 
   /// Takes the same arguments as Certifier, with the same lifetimes.
@@ -44,10 +44,10 @@ class Refinement {
 
  private:
   using Values = PerLevel<std::vector<double>>;
-  /// Bounds on the errors at a level. Kinds: 0, lengths; 1, rotations.
+  /// Bounds on the errors at a level. There are two kinds of coordinates: 0, lengths; 1, rotations.
   struct Digits {
-    double before = 0;             ///< before the corrections, over u × largest number of the kind
-    double open = 0;               ///< after the corrections, likewise
+    double before = 0;             ///< before the corrections, over u × largest number of its kind
+    double open = 0;               ///< after the corrections, over the same
     std::array<double, 2> rest{};  ///< after the corrections, of each kind, in its unit
   };
 
@@ -59,7 +59,7 @@ class Refinement {
   std::vector<LaneMask> lengths_;  // which of each four coordinates are lengths, not rotations
   std::span<const Level> levels_;  // of the present instant
   Values next_, radius_;           // numbers with the corrections of the last pass, their radii
-  Values best_, best_radius_;      // the same of the best pass at each level
+  Values best_, best_radius_;      // these numbers and radii of the best pass at each level
   RefinedInstant result_;
 };
 

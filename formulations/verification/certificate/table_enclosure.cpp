@@ -10,8 +10,8 @@ namespace desmo {
 
 namespace {
 
-/// Maximum number of knots on one side within the distance; with more, radii are infinite. Steps of
-/// a motion pass fewer.
+/// Maximum number of knots on one side within the distance (≤); with more, radii are infinite.
+/// Steps of a motion pass fewer.
 constexpr int max_knots = 16;
 
 /// Raises radii k to at least |f⁽ᵏ⁾|/k! within a distance of 0, where f is the difference of two

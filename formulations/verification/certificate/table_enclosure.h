@@ -14,7 +14,8 @@
 
 namespace desmo {
 
-/// Returns number k of a table (formulations/constraints/table.h) as the file means it.
+/// Function that returns number k of a table (formulations/constraints/table.h) as the file means
+/// it.
 using TableNumbers = std::function<Derived(int k)>;
 
 /// The pieces of a table as the file means them.
@@ -32,14 +33,15 @@ struct TablePieces {
   std::array<Derived, 4> about(int piece, double turns, double at) const;
 };
 
-/// Encloses a table f by Taylor's coefficients aₖ about `at`. For each |y| ≤ distance there are
-/// numbers in the aₖ with f(at + y) = Σ aₖ yᵏ, others for f′ and others for f″. Radii cover the
-/// neighbouring pieces within the distance. All aₖ are NaN where `at` is outside of the table.
-/// Radii are infinite where too many knots are that near, or the distance is not finite.
+/// Encloses a table f by Taylor's coefficients a₀ … a₃ about `at`. For each |y| ≤ distance, some
+/// numbers within the radii of the aₖ give f(at + y) = Σ aₖ yᵏ. Other numbers within them give f′
+/// and f″ there. Radii cover the neighbouring pieces within the distance. All aₖ are NaN where `at`
+/// is outside of the table. Radii are infinite where too many knots are that near, or the distance
+/// is not finite.
 std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, double distance);
 
-// Access to the scalars of proofs, lane by lane. lead() returns the leading double, size_of() a
-// bound on the magnitude; set_lane() sets a number.
+// Access to the scalars of proofs. lead() returns the leading double, size_of() a bound on the
+// magnitude. in_lane() reads the number in a lane, set_lane() sets it. A double has one lane.
 
 inline double in_lane(double x, int) { return x; }
 inline double in_lane(const LaneNumbers& x, int lane) { return x[lane]; }
@@ -105,10 +107,10 @@ const S& value_of(const Jet<S>& x) {
   return x.value;
 }
 
-/// Sets what the functions of a kind take at positions x, in any scalar of proofs: the dimensions
-/// or, of a table, its argument and an enclosure of the cubic about it.
-/// - assign(to, k): sets a scalar to constant k
-/// - number(lane, k): constant k in a lane
+/// Sets the constants c that the functions of a kind take at positions x, in any scalar of proofs.
+/// In place of a table, c has the table's argument ξ and an enclosure of the cubic about ξ.
+/// - assign(to, k): sets a scalar to number k of the constraint
+/// - number(lane, k): returns number k of the constraint in a lane
 template <class Kind, class S, class Assign, class Number>
 void set_dimensions(std::array<S, Kind::constants + 1>& c, const S* const* x, const Assign& assign,
                     const Number& number) {

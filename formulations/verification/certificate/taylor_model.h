@@ -27,8 +27,8 @@ struct Coefficient {
     using std::fma;
     return fma(a, b, sum);
   }
-  /// Returns whether x is 0 and products with it are skipped. To ask pays only where numbers are
-  /// expensive.
+  /// Returns whether x is 0, so that products with x are skipped. To ask costs more than a product
+  /// of doubles: false for these.
   static constexpr bool is_none(const S&) { return false; }
   /// Returns a bound on the error of a computed sine or cosine f: one unit in the last place.
   static S uncertainty_of_turn(const S& f) { return magnitude(f) * S(2 * unit); }
@@ -77,9 +77,9 @@ struct TaylorModel {
     }
   }
 
-  /// Returns a bound on the polynomial's magnitude, but for the rounding of this sum.
+  /// Returns a bound on the polynomial's magnitude; callers count the rounding of this sum.
   Bound polynomial() const { return Traits::magnitude(c[0]) + slopes(); }
-  /// Returns a bound on the sum of all terms but the constant one, but for its rounding.
+  /// Returns a bound on the sum of all terms without the constant one; callers count its rounding.
   Bound slopes() const {
     Bound sum = Traits::magnitude(c[1]);
     for (int k = 2; k <= D; ++k) sum = sum + Traits::magnitude(c[k]);
@@ -171,7 +171,7 @@ struct TaylorModel {
     TaylorModel d = a;
     d.c[0] = S(0);
     const Bound far = a.variation();
-    Bound last(1);  // dᵏ/k!, and in the end k = D + 1
+    Bound last(1);  // |d|ᵏ/k!; after the loop k = D + 1
     for (int k = 1; k <= D + 1; ++k) last = last * far * Bound((1 + 0x1p-51) / k);
     TaylorModel sum = term(D, derivatives[D % 4]);
     for (int k = D; k-- > 0;) sum = sum * d + term(k, derivatives[k % 4]);
@@ -185,7 +185,7 @@ struct TaylorModel {
     const Bound far = Traits::magnitude(a.c[1]);
     TaylorModel r;
     S power(1);                  // c₁ᵏ
-    Bound of_power(1), last(1);  // |c₁|ᵏ, and |c₁|ᵏ/k!, in the end k = D + 1
+    Bound of_power(1), last(1);  // |c₁|ᵏ, and |c₁|ᵏ/k!; after the loop k = D + 1
     Bound rest = a.rest;
     for (int k = 0; k <= D; ++k) {
       const TaylorModel f = term(k, derivatives[k % 4]);

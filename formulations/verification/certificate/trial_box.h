@@ -17,9 +17,9 @@ inline constexpr int max_trial_boxes = 10;
 /// costs no digits.
 inline constexpr double first_trial = 0x1p-36;
 
-/// Returns the radius of the next X: 1.1 × the image of the last one (epsilon inflation; Rump) plus
-/// u × the magnitude of the coordinate. The second term keeps it from zero, since bound_rates()
-/// divides by it.
+/// Returns the radius of the next X: 1.1 × the image of the last X (epsilon inflation; Rump) plus
+/// u × the magnitude of the coordinate. The second term keeps the radius above zero, since
+/// BlockProof::bound_rates() divides by it.
 inline LaneNumbers inflated(const LaneNumbers& image, const LaneNumbers& magnitude) {
   constexpr double growth = 1.1;
   return fma(magnitude, Interval::unit, image * growth);
