@@ -159,7 +159,8 @@ Record read_record(const RecordValue& root);
 Record read_record(const std::filesystem::path& file);
 
 /// Reads every file of a folder that has ".json" in its name, as a record. The key is the name up
-/// to there. Throws as read_record(), and UnreadableRecord where there is no folder.
+/// to there. Throws as read_record(), UnreadableRecord where the folder cannot be read, and
+/// InputError where two files have the same key.
 std::map<std::string, Record> read_records(const std::filesystem::path& folder);
 
 }  // namespace desmo::report
