@@ -70,9 +70,9 @@ struct WorkFindings {
   std::vector<WorkFinding> candidates;  ///< candidates that were counted on both sides
 };
 
-/// Compares the counts of head with those of base, or of a stored baseline's head. Counts depend on
-/// compiler, flags, libraries and tool, but not on the processor: callgrind shows every program the
-/// same one.
-WorkFindings find_works(const CheckRecord& check, const CheckRecord* baseline = nullptr);
+/// Compares the counts of head with those of base; where a baseline is given (not null), with those
+/// of the baseline's head. Counts depend on compiler, flags, libraries and tool, but not on the
+/// processor: callgrind, which counts, shows every program the same one.
+WorkFindings find_works(const CheckRecord& check, const CheckRecord* baseline);
 
 }  // namespace desmo::report
