@@ -34,7 +34,7 @@ class VectorReader {
     int vector;
     JsonValue place;
     std::array<Direction, 2> of;
-    bool is_waiting = false;  // it is on the path of normals that wait for others
+    bool is_waiting = false;  // it is on the path of resolve_normals()
   };
 
   void read(int i, const JsonValue& value) {

@@ -25,8 +25,7 @@ Mechanism::ExactVec near_unit(const Mechanism::ExactVec& x);
 
 /// Returns the remainders of a unit vector: what each of its rounded components lacks.
 /// - along: exact vector of the same direction, of any length but 0
-std::array<Remainder, 3> remainder_of(const Mechanism::Vec& unit,
-                                      const Mechanism::ExactVec& along);
+std::array<Remainder, 3> remainder_of(const Mechanism::Vec& unit, const Mechanism::ExactVec& along);
 
 /// Returns the unit vector along a × b of unit vectors a, b. Returns nothing when they are nearly
 /// parallel: |component| < 1e-8 for each component of a × b, which then lacks half of its digits.

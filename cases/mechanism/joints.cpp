@@ -49,8 +49,8 @@ void check_carried(const Mechanism& d, int i, const JointForm& form, const std::
   }
 }
 
-// Checks that two common points differ, so that they determine an axis. Checks that two common
-// vectors are not parallel, so that they prevent rotation.
+// Checks that two common points (hinge) differ, so that they determine the axis. Checks that two
+// common vectors (prismatic in space) are not parallel, so that they prevent rotation.
 void check_axis(const Mechanism& d, int i, const JointForm& form) {
   if (form.common_points == 2) {
     const Mechanism::Point &p = d.points[d.joints[i].points[0]],

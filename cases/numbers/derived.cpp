@@ -39,8 +39,8 @@ Derived atan2(const Derived& y, const Derived& x) {
   const int exponent = std::ilogb(std::max(std::abs(y.value), std::abs(x.value)));
   // So scaled, no square overflows or vanishes.
   const Derived v = y.scaled(-exponent), u = x.scaled(-exponent);
-  // `sine` is the sine of the angle from the direction of the rounded angle to (x, y). That angle
-  // differs from its sine by less than |sine|³/5.
+  // What `angle` lacks is the angle from its direction to (x, y), whose sine is `sine`. A small
+  // angle differs from its sine by less than |sine|³/5.
   const Derived at_sine = derived(sin(Number(angle))), at_cosine = derived(cos(Number(angle)));
   Derived sine = (v * at_cosine - u * at_sine) / sqrt(u * u + v * v);
   sine.radius += std::pow(std::abs(sine.value + sine.correction) + sine.radius, 3) / 5;

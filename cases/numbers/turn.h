@@ -80,8 +80,9 @@ Turn<S> turn(const S& angle) {
   const S rest = lost - k * S(low);
   const S r = difference + rest, of_r = rest - (r - difference);
 
-  // sin r = r + s, within 2^-69.8 by rounding and 2^-70.4 by of_r r²/2, which is left out;
-  // cos r = 1 + c + of_c with c = −r²/2, within 2^-75. |r| < 0.0246 and |s| < 2^-18.6.
+  // Here |r| < 0.0246. sin r = r + s with |s| < 2^-18.6; the error is at most 2^-69.8 by rounding
+  // and 2^-70.4 by of_r r²/2, which is left out. cos r = 1 + c + of_c with c = −r²/2; the error is
+  // at most 2^-75.
   const S square = r * r;
   const S of_square = fma(r, r, -square) + S(2) * r * of_r;
   const S s =

@@ -40,8 +40,8 @@ struct CheckOutcome {
 /// unless head is wrong.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
-/// Returns the measurements that could still change the verdict. "first CANDIDATE" stands for more
-/// rounds of the first pass. "second CANDIDATE" stands for rounds of the second one.
+/// Returns the measurements that could still change the verdict: "first CANDIDATE" for more rounds
+/// of the first pass, "second CANDIDATE" for rounds, or more rounds, of the second one.
 std::vector<std::string> pending(const CheckOutcome& found);
 
 /// Returns the verdict with its reasons, a line on what was measured where, and tables of times and

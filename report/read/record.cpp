@@ -130,7 +130,8 @@ Record read_record(const std::filesystem::path& file) {
 
 std::map<std::string, Record> read_records(const std::filesystem::path& folder) {
   std::error_code error;
-  if (!is_directory(folder, error)) throw UnreadableRecord(folder.string() + ": there is no folder");
+  if (!is_directory(folder, error))
+    throw UnreadableRecord(folder.string() + ": there is no folder");
   const std::filesystem::directory_iterator files(folder, error);
   if (error) throw UnreadableRecord(folder.string() + ": " + error.message());
   std::map<std::string, Record> records;

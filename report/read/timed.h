@@ -14,7 +14,7 @@ namespace desmo::report {
 struct CaseSize {
   std::string case_name;
   std::int64_t coordinates = 0;  ///< size: number of coordinates
-  /// Returns whether case and size are the same; of derived keys nothing else is compared.
+  /// Returns whether case and size are the same. Other members of derived keys are not compared.
   bool is_at(const CaseSize& place) const { return *this == place; }
   auto operator<=>(const CaseSize&) const = default;
 };

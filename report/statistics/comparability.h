@@ -19,8 +19,8 @@ struct Difference {
 /// - the environment: CPU model, compiler, build type, flags, linking, BLAS core and threads
 /// - settings: tolerance, iterations at most, first guess, step and duration
 /// - the model and the results of what both have timed
-/// At least one measurement must be in both. What only one records counts as different, and linking
-/// also where neither does.
+/// At least one measurement must be in both. A value that only one of the records has counts as a
+/// difference. So does linking where neither has it.
 std::vector<Difference> incomparable_reasons(const Record& first, const Record& second);
 
 /// Returns why speed-ups of two machines cannot stand side by side; empty when they can. They must

@@ -61,14 +61,14 @@ std::vector<WindowPoint> points(const Windows& s, std::optional<std::size_t> lef
   return points;
 }
 
-// Returns the largest undisturbed time per instant that a point allows with that number of updates:
-// with fewer updates than the point has its time, with more that time in proportion.
+// Returns the largest undisturbed time per instant that a point allows for `updates` per instant:
+// the point's own time; for more updates than the point has, its time in proportion to them.
 double bound(const WindowPoint& point, double updates) {
   return point.seconds * std::max(1.0, updates / point.updates);
 }
 
-// Returns the bound by two points on either side: the least of their bounds and of the chord
-// between them.
+// Returns the bound by two points, one with fewer updates and one with more: the least of their two
+// bounds and of the chord between them.
 double bound(const WindowPoint& left, const WindowPoint& right, double updates) {
   const double of_one = std::min(bound(left, updates), bound(right, updates));
   const double width = right.updates - left.updates;
