@@ -14,13 +14,13 @@ namespace desmo {
 /// point at its position in the file.
 class MechanismError : public std::invalid_argument {
  public:
-  enum class Part { description, point, vector, body, joint, coordinate, coupling };
+  enum class Part { mechanism, point, vector, body, joint, coordinate, coupling };
 
   MechanismError(Part part, int index, const std::string& message)
       : std::invalid_argument(message), part_(part), index_(index) {}
 
   Part part() const { return part_; }
-  int index() const { return index_; }  ///< index in the list of the part; Part::description: 0
+  int index() const { return index_; }  ///< index in the list of the part; Part::mechanism: 0
 
  private:
   Part part_;

@@ -81,10 +81,10 @@ void refuse(const Mechanism& d, Part part, int index, const std::string& what) {
 
 void validate(const Mechanism& d) {
   if (d.dimension != 2 && d.dimension != 3)
-    refuse(d, Part::description, 0,
+    refuse(d, Part::mechanism, 0,
            "the dimension is " + std::to_string(d.dimension) + "; it must be 2 or 3");
   if (d.bodies.empty())
-    refuse(d, Part::description, 0, "has no bodies; the first body must be the ground");
+    refuse(d, Part::mechanism, 0, "has no bodies; the first body must be the ground");
   check_names(d);
   check_entities(d);
   const Carriers points(d, &Mechanism::Body::points), vectors(d, &Mechanism::Body::vectors);
