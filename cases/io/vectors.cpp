@@ -63,7 +63,7 @@ class VectorReader {
     vectors_[i].remainder = remainder_of(unit, along);
   }
   /// Returns a direction as the file means it: a vector of length 1, or the difference of the two
-  /// points of a line, times a power of two: the product of two short lines would vanish.
+  /// points of a line, times a power of two. Otherwise the product of two short lines would vanish.
   Mechanism::ExactVec exact(const Direction& d) const {
     if (!d.is_line()) return vectors_[d.vector].exact();
     const Mechanism::ExactVec from = points_[d.from].exact(), to = points_[d.to].exact();

@@ -35,9 +35,9 @@ struct CheckOutcome {
   WorkFindings work;
 };
 
-/// Compares times and counts of head with those of base; where a baseline is given, counts of head
-/// with those of the baseline's head only. With neither, the verdict is CheckVerdict::incomparable
-/// unless head is wrong.
+/// Compares times and counts of head with those of base. Where a baseline is given (not null),
+/// compares counts only, with those of the baseline's head. With neither, the verdict is
+/// CheckVerdict::incomparable unless head is wrong.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
 /// Returns the measurements that could still change the verdict: "first CANDIDATE" for more rounds

@@ -68,8 +68,8 @@ inline std::string name_of(const CandidateKey& key) {
 inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
                                    "solve",    "right_hand_sides", "rest"};
 
-/// Wall-clock time [s] of each phase of a step in an instrumented run: those of the pass with the
-/// median total among several.
+/// Wall-clock time [s] of each phase of a step in an instrumented run. Of several passes it is the
+/// one with the median total.
 using Profile = std::array<double, phases.size()>;
 
 /// The time of a formulation that solves only what a request asks. `verification` stays empty.

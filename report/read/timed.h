@@ -25,9 +25,9 @@ enum class Clock {
   wall,  ///< time that passes: for several threads, and for analyses compared with these
 };
 
-/// Times of the timing windows into which a motion is cut: pieces of equally many instants, up to
-/// one, between two clock readings. Vectors have one element for each window, or are empty where
-/// the record has none.
+/// Times of the timing windows into which a motion is cut: pieces between two clock readings, whose
+/// numbers of instants differ by one at most. Vectors have one element for each window, or are
+/// empty where the record has none.
 struct Windows {
   std::vector<double> least = {};  ///< least time [s] that any analysis took
   // The following are empty where updates are not counted.

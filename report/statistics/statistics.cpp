@@ -16,8 +16,8 @@ constexpr std::array student_quantiles{12.706, 4.303, 3.182, 2.776, 2.571, 2.447
                                        2.110,  2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064,
                                        2.060,  2.056, 2.052, 2.048, 2.045, 2.042};
 
-// Returns the quantile. With more degrees of freedom than the table has, it is the table's last,
-// which is at most 4.2 % too large.
+// Returns the quantile for that many degrees of freedom, ≥ 1. For more than the table has, it is
+// the table's last one, which is at most 4.2 % too large.
 double student(std::size_t freedom) {
   return student_quantiles[std::min(freedom, student_quantiles.size()) - 1];
 }

@@ -70,8 +70,8 @@ std::string_view setting(std::string_view id, std::string_view name);
 /// Returns the id without a setting.
 std::string without_setting(std::string id, const std::string& name);
 
-/// Tell whether a formulation stands next to a peer, or next to any peer of a record, in the table
-/// of peers: the peer's guess is the only setting in its id.
+/// Tell whether the table of peers shows a formulation next to a peer, or next to any peer of a
+/// record: whether the only setting in its id is the peer's guess.
 bool is_beside(const Peer& peer, std::string_view id);
 bool is_beside_peers(const Record& record, std::string_view id);
 

@@ -174,8 +174,8 @@ TextValues what_gains(const Record& record) {
   return values;
 }
 
-/// Returns the least number of repetitions of a candidate with a time, of all sizes of the case in
-/// front; 0 where there is no time.
+/// Returns the least number of repetitions of the candidates that have a time, at all sizes of the
+/// case in front; 0 where none has.
 std::size_t least_repetitions(const Record& record) {
   const std::string name = in_front(record).case_name;
   std::size_t least = 0;
