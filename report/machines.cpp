@@ -20,8 +20,9 @@ std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& 
   return measured_speed_up(measured(*reference->second), measured(variant)).speed_up;
 }
 
-/// Returns the keys of the points of accuracy that stand next to another machine's. Of thousands,
-/// these are the Pareto points of the figures, and those without settings.
+/// Returns the timing_key() of those points of the accuracy experiment that are compared with
+/// another machine's. Of thousands of points, they are those that work_precision() marks as Pareto
+/// points ("front"), and the drawn ones whose id has no settings.
 std::set<CandidateKey> points_in_front(const Record& record) {
   std::set<CandidateKey> keys;
   for (const SeriesKey& series : drawn_series(record)) {
@@ -35,7 +36,8 @@ std::set<CandidateKey> points_in_front(const Record& record) {
   return keys;
 }
 
-/// Returns a table for every group in which both records have a speed-up of the same key.
+/// Returns a table for every group (timed_groups()) in which both records have a speed-up of the
+/// same key.
 std::vector<Table> speed_ups_of_both(const Record& first, const Record& second) {
   std::vector<Table> tables;
   const std::set<CandidateKey> in_front = points_in_front(first);

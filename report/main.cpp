@@ -43,8 +43,8 @@ struct TablesCommand {
   bool all = false;                  // print every table, not only the short report
 };
 
-/// Returns the message about a table that a report does not have. It names the tables that begin
-/// with most of the same letters, two or more, and all tables.
+/// Returns the message about a table that a report does not have. It lists the nearest tables, then
+/// all. The nearest are those whose names begin as `name` does over the most letters, two or more.
 std::string no_table(const std::string& name, const std::vector<std::string>& known) {
   constexpr std::size_t min_common = 2;
   const auto common = [&](const std::string& other) {
@@ -61,8 +61,8 @@ std::string no_table(const std::string& name, const std::vector<std::string>& kn
          (nearest.empty() ? "" : "; the nearest: " + nearest) + "; there are: " + all;
 }
 
-/// Returns a document with the tables of these names only, without paragraphs and definitions, and
-/// none of them as detail. Throws std::invalid_argument for a name that no table has.
+/// Returns a document with the tables of these names only, without paragraphs and definitions. None
+/// of the tables is a detail. Throws std::invalid_argument for a name that no table has.
 Document with_tables(Document document, const std::vector<std::string>& names) {
   std::vector<std::string> missing = names, known;
   for (Section& section : document.sections) {

@@ -33,8 +33,8 @@ constexpr std::pair<std::string_view, std::vector<Section> (*)(const Record&)> s
     {"instructions", instructions_sections},
     {"extremes", extremes_sections}};
 
-/// Returns a table of speed-ups as detail. Of more than 200 rows it keeps those of one size of each
-/// case: the paper's largest size, or, where that is missing, the case's largest.
+/// Returns a table of speed-ups as a detail. If it has more than 200 rows, keeps those of one size
+/// of each case: of the paper's largest size, or, where that is missing, of the case's largest.
 Table on_page(Table table) {
   constexpr std::size_t max_rows = 200;
   table.detail = true;

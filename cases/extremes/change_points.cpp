@@ -9,16 +9,17 @@ namespace desmo::extremes {
 
 namespace {
 
-/// Makes a case next to θ = π, where coupler and rocker, of 5 and 3, are stretched: there the
-/// distance that they span is 8, to the last bit.
-/// - family: words for the way in which the crank moves; distance: that from θ = π [rad]
+/// Makes a case next to the crank's angle θ = π. There coupler and rocker, of lengths 5 and 3, are
+/// stretched: they span a distance of exactly 8.
+/// - family: words for the way in which the crank moves
+/// - distance: distance from θ = π [rad] at which the crank ends, starts, turns back or rests
 ExtremeCase beside(const char* family, double distance, const Motion& crank, const TimeGrid& grid) {
   const DyadChain chain = one_dyad(2, sample(crank, grid.start).position, 6, 5, 3);
   ExtremeCase c =
       case_of(formatted("%s, %.0e rad beside, steps of 1/%.0f s", family, distance, 1 / grid.step),
               std::vector{chain}, {crank}, grid);
   c.may_fail = true;
-  c.factor = 1000;  // wider than usual, since degraded runs may need it
+  c.factor = 1000;  // wider than usual: runs in which rows are flagged may need it
   return c;
 }
 

@@ -11,8 +11,9 @@
 
 namespace desmo {
 
-/// Bound on the errors of a case's answers, all of them relative. The *floor* is the error at a
-/// level, in double precision, that conditioning and the rounding of the drivers explain.
+/// Bound on the errors of a case's answers, all of them relative. The *floor* of a level (position,
+/// velocity, acceleration) is the error in double precision that conditioning and the rounding of
+/// the drivers explain. `factor` is ExtremeCase::factor, and ε is 2^-52.
 enum class Bound {
   floor,  ///< factor × floor
   length,  ///< position: factor × ε × dyads × longest link / size + 10 × floor; else 10 × floor
@@ -42,14 +43,16 @@ struct ExtremeCase {
   /// Settings as suffixes of an id (formulations/id.h), for instance "/jacobian:step".
   std::string settings = {};
 
-  /// Number of instants compared at the beginning, and as many at the end. 0: at most 201, spread
-  /// over the motion; all of the `starts`.
+  /// Number of instants that are compared at the beginning, and as many at the end. 0: at most 201
+  /// instants, spread over the motion; with `starts`, every start.
   int compared_at_ends = 0;
-  /// The last instant is singular and has no answer. To be set for mechanisms other than chains.
+  /// The last instant is singular and has no answer. With `chains`, the closed form tells that.
   bool ends_singular = false;
 
-  bool may_fail = false;       ///< a flag is accepted where an answer exists, too
-  bool past_failures = false;  ///< the run continues after a gap; its ends must be right to 1e-9 s
+  bool may_fail = false;  ///< a flag is accepted where an answer exists, too
+  /// The run goes on after instants without an answer. It must state the times at which answers end
+  /// and begin again, right to 1e-9 s.
+  bool past_failures = false;
   bool is_refused = false;     ///< it must be rejected before solving, or fail at the first instant
   bool is_redundant = false;   ///< dependent equations must be reported
   std::string failing_body{};  ///< a failure must name the group of this body; empty: no demand

@@ -26,17 +26,17 @@ ExtremeCase case_of(std::string name, const DyadChain& chain, double rate, const
 /// Returns the case with ExtremeCase::may_fail set.
 ExtremeCase may_fail(ExtremeCase c);
 
-/// Adds a dyad that follows the last one, or the crank, and is closed there (closed_dyad()).
-/// pivot: x of the rocker's pivot, which is on the x axis.
+/// Adds a dyad after the last one, or after the crank; closed_dyad() places its joint. pivot: x of
+/// the rocker's pivot, which is on the x axis.
 void add_dyad(DyadChain& chain, double pivot, double coupler, double rocker, int side = 1);
 
 /// Makes a chain of one dyad; start: initial angle of the crank [rad]. See add_dyad().
 DyadChain one_dyad(double crank, double start, double pivot, double coupler, double rocker,
                    int side = 1);
 
-/// Adds a loop of bodies, the last of which is the ground, to a spatial mechanism: each body is
-/// hinged to the next at a corner, about an axis. The direction from the first corner to the second
-/// is driven: its angle is 0 at the vector `from`, and π/2 at `towards`.
+/// Adds a closed loop of bodies to a spatial mechanism. The last body is the ground. Each body is
+/// hinged to the next one at a corner, about an axis. The direction from the first corner to the
+/// second is driven: its angle is 0 at the vector `from`, and π/2 at `towards`.
 /// - body: name of the bodies, to which their numbers are added
 /// - corners, axes: indices of points and vectors, two or more, as many of either
 /// - from, towards: indices of vectors, which the ground is made to carry

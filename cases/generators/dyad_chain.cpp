@@ -41,8 +41,8 @@ void add(MechanismBuilder& d, const DyadChain& chain) {
 DyadChain::Dyad closed_dyad(const Mechanism::Vec& from, const Mechanism::Vec& pivot, double coupler,
                             double rocker, int side) {
   const double ax = pivot[0] - from[0], ay = pivot[1] - from[1], length = std::hypot(ax, ay);
-  // Intersects two circles. The joint lies x along the line from `from` to `pivot`, and h to its
-  // left, both in units of the line's length.
+  // Intersects two circles. The joint is at `from` + x a + h n, where the vector a leads from
+  // `from` to `pivot`, and n is a turned to the left by 90°.
   const double p = coupler / length, r = rocker / length;
   const double x = (1 + (p - r) * (p + r)) / 2;
   const double h = side * std::sqrt(std::max(0.0, (p - x) * (p + x)));

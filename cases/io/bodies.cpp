@@ -72,8 +72,8 @@ class BodyReader {
     }
   }
 
-  /// Moves a frame that has both known points and new ones. The mean of the known points in the
-  /// frame then agrees with the mean of where they are.
+  /// Moves a frame in which some points have been placed before, and some have not. The points
+  /// placed before are then, on average, where they were placed.
   void meet_what_is_drawn(const std::vector<Mechanism::Point>& points,
                           Mechanism::Frame& frame) const {
     Vec way{};
@@ -88,8 +88,10 @@ class BodyReader {
     for (int i = 0; i < 3; ++i) frame.origin[i] += way[i] / static_cast<double>(drawn);
   }
 
-  /// Returns the index of the next of a body's entities. Adds the entity unless its name is known.
-  /// - own: names in the body's frame; listed: indices of the entities before this one
+  /// Returns the index in `all` of an entity of a body's frame. Adds it to `all` and its name to
+  /// `names` unless the name is there.
+  /// - own: names of the frame's entities, in the order in which they are placed
+  /// - listed: indices of those placed before this one
   template <class Entity>
   static int place(std::vector<Entity>& all, NameTable& names, const NameTable& own,
                    const std::vector<int>& listed, Entity entity) {
@@ -121,8 +123,8 @@ class BodyReader {
     if (vectors) require_drawn(*vectors, "vector", body.vectors, drawn_vectors_);
   }
 
-  /// Refuses entities that only frames give in the list of a body without a frame: its shape is
-  /// drawn, and they are placed by an estimate.
+  /// Refuses an entity in the list of a body without a frame that is given in frames only. A frame
+  /// places it by an estimate, and this body needs its exact place.
   static void require_drawn(const JsonValue& list, const std::string& kind,
                             const std::vector<int>& listed, std::size_t drawn) {
     const std::vector<JsonValue> names = list.elements();
@@ -137,7 +139,8 @@ class BodyReader {
   Mechanism& d_;
   const DisplayUnits& units_;
   Names& names_;
-  std::size_t drawn_points_ = 0, drawn_vectors_ = 0;  // numbers of entities that the file draws
+  // Numbers of entities in the file's own "points" and "vectors". Those of frames come after them.
+  std::size_t drawn_points_ = 0, drawn_vectors_ = 0;
 };
 
 }  // namespace

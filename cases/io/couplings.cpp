@@ -11,8 +11,8 @@ using Coupling = Mechanism::Coupling;
 
 bool is_angle(const Coordinate& c) { return c.type == Mechanism::CoordinateType::angle; }
 
-/// Converts factors to those of coordinates in SI units, up to a common factor: only where lengths
-/// and angles are mixed do they change.
+/// Converts the factors of a sum from coordinates in the file's units to those in SI units, up to a
+/// common factor. They change only where the sum mixes lengths and angles.
 void convert(Coupling& coupling, const std::vector<Coordinate>& coordinates,
              const DisplayUnits& units) {
   const auto turns = [&](const Coupling::Term& term) {

@@ -41,7 +41,7 @@ class Definitions {
     if (point_places.empty() && coordinate_places.empty()) return;
     try {
       validate(d_);
-    } catch (const MechanismError& error) {  // the mechanism itself is valid
+    } catch (const MechanismError& error) {  // a definition is at fault: without them d_ was valid
       using Part = MechanismError::Part;
       const auto index = static_cast<std::size_t>(error.index());
       if (error.part() == Part::coordinate && index >= coordinates)

@@ -32,7 +32,7 @@ Scene read_scene(const std::filesystem::path& file);
 Scene library_scene(std::string_view name);
 
 /// Returns the text of a mechanism file that describes the same mechanism, in metres (or the free
-/// unit) and radians. Each number is written as one double, without its remainder.
+/// unit) and radians. Remainders are lost: each number is written as one double.
 std::string write_mechanism(const Mechanism& mechanism);
 
 }  // namespace desmo

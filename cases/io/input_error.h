@@ -4,8 +4,8 @@
 
 namespace desmo {
 
-/// Error of bad input. The message is "<file>: <place>: <what is wrong>; <remedy>", where some have
-/// no remedy. The place is
+/// Error of bad input. The message is "<file>: <place>: <what is wrong>; <remedy>"; the remedy may
+/// be missing. The place is
 /// - a line and a column, where the text is not JSON
 /// - a JSON pointer such as /joints/2/points/0, or "top level" for the whole document
 /// - left out, when the file cannot be read or decompressed

@@ -179,8 +179,8 @@ JsonDocument::JsonDocument(std::string_view text, std::string file_name)
 
 JsonValue JsonDocument::root() const { return {this, 0}; }
 
-// Goes from the root down: at each level, the child with the node in it is the last one that begins
-// before the node or is the node.
+// Goes down from the root. At each level it takes the last child that does not begin after the
+// node: that child is the node, or has it inside.
 std::string JsonDocument::pointer(std::uint32_t node) const {
   std::string path;
   for (std::uint32_t at = 0; at != node;) {

@@ -39,7 +39,7 @@ class JsonDocument {
   struct Node {
     double number = 0;      // value of a number; of a boolean 0 or 1
     Span text, key;         // ranges of texts_: value of a string; key in the object around it
-    std::uint32_t end = 0;  // index of the first node after this one's contents; 0: not read yet
+    std::uint32_t end = 0;  // index of the first node after this one's contents; 0: still reading
     Kind kind = Kind::null;
   };
 

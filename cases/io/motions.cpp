@@ -18,8 +18,7 @@ std::vector<int> driven_coordinates(const Mechanism& mechanism) {
     if (c.name == value.key())
       value.complain("the coordinate " + in_quotes(c.name) +
                      " is not driven; name it in the mechanism's drivers or leave its motion out");
-  drivers.find(value, value.key());
-  value.complain("is not driven; leave it out");
+  value.complain(unknown_name("driven coordinate", value.key(), drivers.names()));
 }
 
 }  // namespace

@@ -17,17 +17,18 @@ class NameTable {
  public:
   explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
 
-  /// Adds a name at a position; by default that is the number of names added before. The name must
-  /// be new, which it is where it is a key of one object or a name of a valid mechanism.
+  /// Adds a name at a position; by default that is the number of names added before. The table must
+  /// not have the name. (Keys of a JsonDocument's object differ, as do names of a valid mechanism.)
   void add(std::string_view name, std::optional<int> position = {});
 
   std::optional<int> position(std::string_view name) const;  ///< none: the name is unknown
-  /// Return the positions of names that a document gives. Throw InputError, with similar names or
-  /// all of them, where one is unknown. place: value that the message refers to.
+  /// Return the positions of names that a document gives. Throw InputError where one is unknown;
+  /// the message has similar names, or all of them. place: value that the message refers to.
   int find(const JsonValue& value) const { return find(value, value.text()); }
   int find(const JsonValue& place, std::string_view name) const;
   std::vector<int> find_each(const JsonValue& list) const;
-  /// Returns the positions of the two names of a list. Throws InputError unless they differ, too.
+  /// Returns the positions of the two names of a list. Throws InputError also where the list has
+  /// not two names, or one twice.
   std::array<int, 2> find_pair(const JsonValue& list) const;
 
   const std::vector<std::string_view>& names() const { return names_; }

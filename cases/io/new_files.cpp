@@ -61,17 +61,18 @@ OutputFile::OutputFile(const std::string& path, void (*begun)(const std::string&
 }
 
 void OutputFile::open(void (*begun)(const std::string&)) {
-  std::error_code ignored;
-  target_ = followed(path_);
-  if (target_.empty()) fail(ELOOP);
-  if (fs::is_directory(target_, ignored) || target_.ends_with('/')) fail(EISDIR);
   struct stat status = {};
-  const bool exists = ::stat(target_.c_str(), &status) == 0;
+  const bool exists = ::stat(path_.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
   if (exists && !S_ISREG(status.st_mode)) {
-    file_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    // Only the system can follow the link from /dev/stdout to a pipe, which has no path.
+    file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     if (file_ < 0) fail(errno);
     return;
   }
+  target_ = followed(path_);
+  if (target_.empty()) fail(ELOOP);
+  if (target_.ends_with('/')) fail(EISDIR);
   // Renaming would replace even a file that may not be written.
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail(errno);
   const std::string unfinished = name_beside(target_);

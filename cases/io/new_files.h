@@ -28,7 +28,8 @@ class OutputFile {
  public:
   /// Opens a path; "" and "-" are standard output. Follows links, also to a file that does not
   /// exist yet. An existing file keeps its permissions.
-  /// - begun: called with the temporary name of a regular file, before it is created; may be null
+  /// - begun: function that is called with the temporary name of a regular file, before a file of
+  ///   that name is created; may be null
   explicit OutputFile(const std::string& path, void (*begun)(const std::string& name) = nullptr);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;

@@ -29,8 +29,9 @@ std::string checked_name(const JsonValue& place, std::string_view name);
 
 /// Units of a file.
 struct FileUnits : DisplayUnits {
-  /// The file leaves the unit open, so that a number that needs it is refused: a scene of version 1
-  /// names none, and its mechanism has another one than metres or radians.
+  /// Whether the file leaves the unit open. A number that needs it is then refused. In a scene of
+  /// version 1 it is open where the scene names no unit, and the mechanism has another than m or
+  /// rad.
   bool length_is_open = false, angle_is_open = false;
 };
 
@@ -38,7 +39,8 @@ struct FileUnits : DisplayUnits {
 std::span<const DisplayUnit> known_length_units();
 std::span<const DisplayUnit> known_angle_units();
 
-/// Returns the size of a unit in SI units. Sizes of units of length count as the nearest doubles.
+/// Returns the size of a unit in SI units: with its remainder where π is in it; for others the
+/// double DisplayUnit::in_si counts as exact.
 Derived exact_size(const DisplayUnit& unit);
 
 /// Reads `units` of a file. units: those that hold where the file names none.
@@ -85,17 +87,20 @@ Mechanism::Direction read_direction(const JsonValue& value, const Names& names);
 /// Sets the position of a point, with its remainder, from numbers in a unit of length.
 void set_position(Mechanism::Point& point, const Mechanism::Vec& numbers, const DisplayUnit& unit);
 
+/// Reads `points` of the file, or of a body's frame. Adds their names to `names`.
 std::vector<Mechanism::Point> read_points(const JsonValue& list, int dimension,
                                           const DisplayUnits& units, Names& names);
 
-/// Reads `vectors` of the file, or of a body's frame.
+/// Reads `vectors` of the file, or of a body's frame. Adds their names to `names`.
+/// - root: the file or the body; points: those to which `along` and `normal` may refer
 std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension,
                                             const std::vector<Mechanism::Point>& points,
                                             Names& names);
 
-/// Reads the ground and the bodies. Adds points and vectors that only frames of bodies give, at the
-/// place of the first such frame. A frame with known and new points is moved before, so that its
-/// known points are on average where they are.
+/// Reads the ground and the bodies. A point or vector that only frames of bodies give is added to
+/// the mechanism; the first such frame places it. A frame may have some points that were placed
+/// before, and some that were not. It is then first moved, so that those placed before are, on
+/// average, where they were placed.
 void read_bodies(const JsonValue& root, Mechanism& mechanism, const DisplayUnits& units,
                  Names& names);
 
@@ -114,9 +119,9 @@ std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int d
 Mechanism::Coordinate read_coordinate(const JsonValue& value, int dimension,
                                       const DisplayUnits& units, const Names& names);
 
-/// Reads couplings. Factors of sums are made those of lengths in metres (or the free unit) and
-/// angles in radians, up to a common factor. Numbers of tables keep their units, which their
-/// factors state.
+/// Reads couplings. Factors of sums are converted to those of lengths in metres (or the free unit)
+/// and angles in radians, up to a common factor. Numbers of a table keep its units, to which
+/// the factors in Mechanism::Coupling::terms convert the coordinates.
 /// - mechanism: its coordinates have been read
 std::vector<Mechanism::Coupling> read_couplings(const JsonValue& root, const Mechanism& mechanism,
                                                 const DisplayUnits& units, const Names& names,
@@ -168,8 +173,8 @@ TableColumn column_of(std::string_view key, const Mechanism::Coordinate& coordin
 
 /// Reads a table from its lists, or from the CSV file that its `file` names. Numbers are not
 /// converted; units of a CSV file's heading become those of the columns.
-/// - coordinates: those of the mechanism. Where a heading has two columns, a name that is not that
-///   of the column must not be that of another coordinate
+/// - coordinates: those of the mechanism. A heading of two columns may give a column any name but
+///   that of the other column or of another coordinate
 void read_table(const JsonValue& value, NamedFiles& files,
                 const std::vector<Mechanism::Coordinate>& coordinates, TableColumn& arguments,
                 TableColumn& values);

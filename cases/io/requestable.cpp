@@ -82,9 +82,11 @@ std::vector<int> Requestable::match(const JsonValue& pattern, const RequestKey& 
   return found;
 }
 
-/// Refuses the ground where a rotation is asked for, a name of another kind, and an entity that no
-/// body carries. That name is more likely meant than a similar one of this kind, which the message
-/// about an unknown name would offer. Rotations and joints are not checked for another kind.
+/// Refuses three names with messages of their own. NameTable::find(), which is called next, would
+/// only offer similar names of the key's kind.
+/// - the ground, under "rotations"
+/// - the name of an entity of another kind, except under "rotations" and "joints"
+/// - a point or vector that no body carries, likewise
 void Requestable::check_kind(const JsonValue& name, const RequestKey& names) const {
   if (&names == &rotations && name.text() == d_.bodies.front().name)
     name.complain("the ground never turns; name a body that moves");

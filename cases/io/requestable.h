@@ -27,10 +27,11 @@ class Requestable {
   /// mechanism: outlives this object, and has the entities that the request defines.
   explicit Requestable(const Mechanism& mechanism);
 
-  /// Receiver of the position of an entity, and of the pattern that asks for it; "": a name asks.
+  /// Function that takes the position of a requested entity, and the pattern that it matched; "":
+  /// the request has its name.
   using Want = std::function<void(int, std::string_view)>;
-  /// Reads the names that an entry of a request lists or defines under a key. Calls want() for
-  /// each, and for each name that matches a listed pattern.
+  /// Reads what an entry of a request lists or defines under the key of `names`. Calls want() for
+  /// each name, and for each name that matches a listed pattern.
   void read(const JsonValue& entry, const RequestKey& names, const Want& want);
 
   /// Reads and returns the name of a coordinate, or of a component of a point or vector: "C.x".

@@ -16,8 +16,8 @@ constexpr double max_instants = 1e9;  // number of instants, ≤
 
 constexpr int latest_version = 2;  // latest version of scene files
 
-// The mechanism of a scene. Mechanisms of the library and of generators come with motions, one for
-// each driven coordinate, and times.
+// The mechanism of a scene. Those of the library and of generators come with motions, one for each
+// driven coordinate, and with instants; others have neither.
 struct Start : ReadMechanism {
   std::vector<Motion> motions{};
   std::optional<TimeGrid> grid{};

@@ -34,7 +34,7 @@ class VectorReader {
     int vector;
     JsonValue place;
     std::array<Direction, 2> of;
-    bool is_waiting = false;  // it is on the path of normals that wait for others
+    bool is_waiting = false;  // it is on the path of resolve_normals()
   };
 
   void read(int i, const JsonValue& value) {
@@ -58,16 +58,16 @@ class VectorReader {
     set(i, line(*along, from, to), exact({-1, from, to}));
   }
 
-  void set(int i, const Vec& unit, const std::array<Derived, 3>& along) {
+  void set(int i, const Vec& unit, const Mechanism::ExactVec& along) {
     vectors_[i].direction = unit;
     vectors_[i].remainder = remainder_of(unit, along);
   }
   /// Returns a direction as the file means it: a vector of length 1, or the difference of the two
-  /// points of a line.
+  /// points of a line, times a power of two. Otherwise the product of two short lines would vanish.
   Mechanism::ExactVec exact(const Direction& d) const {
     if (!d.is_line()) return vectors_[d.vector].exact();
     const Mechanism::ExactVec from = points_[d.from].exact(), to = points_[d.to].exact();
-    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+    return near_unit({to[0] - from[0], to[1] - from[1], to[2] - from[2]});
   }
 
   void read_normal(int i, const JsonValue& value) {

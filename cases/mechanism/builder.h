@@ -9,8 +9,8 @@
 namespace desmo {
 
 /// Builder of a mechanism, step by step. Functions that add a point, a vector or a body return its
-/// index in the mechanism's list, by which later calls refer to it. Nothing is checked before
-/// validate() or make_model(). Lengths are in metres (or the free unit), angles in radians.
+/// index in the mechanism's list, by which later calls refer to it. No function checks anything:
+/// validate() and make_model() do. Lengths are in metres (or the free unit), angles in radians.
 ///
 ///   MechanismBuilder builder("crank", 2);
 ///   const int a = builder.point("A", {0, 0}), b = builder.point("B", {0.05, 0});
@@ -33,20 +33,24 @@ class MechanismBuilder {
   /// Sets Mechanism::length_unit: "m" (the default) or "1".
   void set_length_unit(std::string unit) { mechanism_.length_unit = std::move(unit); }
 
+  /// Adds a point at its nominal position. A body carries it once body() or carry() says so.
   int point(std::string name, const Mechanism::Vec& position) {
     mechanism_.points.push_back({std::move(name), position});
     return static_cast<int>(mechanism_.points.size()) - 1;
   }
+  /// Adds a vector with its nominal direction, of length 1.
   int vector(std::string name, const Mechanism::Vec& direction) {
     mechanism_.vectors.push_back({std::move(name), direction});
     return static_cast<int>(mechanism_.vectors.size()) - 1;
   }
-  /// Adds a vector that always points from one point to another of a body that carries it.
+  /// Adds a vector that always points from one point to another. A body that carries the vector
+  /// must carry both points.
   int vector_along(std::string name, const Mechanism::Vec& direction, int from, int to) {
     const int v = vector(std::move(name), direction);
     mechanism_.vectors[v].along = {from, to};
     return v;
   }
+  /// Adds a body that carries these points and vectors.
   int body(std::string name, std::vector<int> points, std::vector<int> vectors = {}) {
     mechanism_.bodies.push_back({std::move(name), std::move(points), std::move(vectors)});
     return static_cast<int>(mechanism_.bodies.size()) - 1;
@@ -56,7 +60,7 @@ class MechanismBuilder {
     mechanism_.bodies.push_back({std::move(name), {a, b}, {}, length});
     return static_cast<int>(mechanism_.bodies.size()) - 1;
   }
-  /// Lists further points and vectors that a body carries.
+  /// Adds points and vectors to those that a body carries.
   void carry(int body, const std::vector<int>& points, const std::vector<int>& vectors = {}) {
     Mechanism::Body& b = mechanism_.bodies[body];
     b.points.insert(b.points.end(), points.begin(), points.end());
@@ -69,8 +73,8 @@ class MechanismBuilder {
     mechanism_.joints.push_back(
         {std::move(name), type, {a, b}, std::move(points), std::move(vectors)});
   }
-  /// Adds a relative coordinate, to be completed through the returned reference. The reference is
-  /// invalid once another coordinate is added.
+  /// Adds a relative coordinate and returns it, so that the caller can set its other members. The
+  /// reference is invalid once another coordinate is added.
   Mechanism::Coordinate& coordinate(std::string name, Mechanism::CoordinateType type) {
     Mechanism::Coordinate& c = mechanism_.coordinates.emplace_back();
     c.name = std::move(name);
@@ -100,8 +104,8 @@ class MechanismBuilder {
     c.axis = axis;
     return c;
   }
-  /// Couples two to four coordinates: Σ factor · coordinate keeps its nominal value. Factors are
-  /// those of lengths in metres (or the free unit) and angles in radians.
+  /// Couples two to four coordinates: Σ factor · coordinate keeps its nominal value, where lengths
+  /// are in metres (or the free unit) and angles in radians.
   void couple(std::string name, std::vector<Mechanism::Coupling::Term> terms) {
     mechanism_.couplings.push_back({std::move(name), std::move(terms)});
   }

@@ -1,4 +1,3 @@
-// The bodies that carry each point or each vector.
 #pragma once
 
 #include <span>

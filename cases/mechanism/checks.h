@@ -14,13 +14,13 @@ namespace desmo {
 /// point at its position in the file.
 class MechanismError : public std::invalid_argument {
  public:
-  enum class Part { description, point, vector, body, joint, coordinate, coupling };
+  enum class Part { mechanism, point, vector, body, joint, coordinate, coupling };
 
   MechanismError(Part part, int index, const std::string& message)
       : std::invalid_argument(message), part_(part), index_(index) {}
 
   Part part() const { return part_; }
-  int index() const { return index_; }  ///< index in the list of this part; of a description: 0
+  int index() const { return index_; }  ///< index in the list of the part; Part::mechanism: 0
 
  private:
   Part part_;
@@ -45,24 +45,27 @@ bool is_in(int index, const List& list) {
   return index >= 0 && index < static_cast<int>(list.size());
 }
 
+/// Checks that names are not empty, and unique as validate() says.
 void check_names(const Mechanism& mechanism);
 
 /// Checks numbers and indices of points, vectors and bodies, and lengths and frames of bodies. The
 /// points of a body must not all coincide.
 void check_entities(const Mechanism& mechanism);
 
-/// Checks that a vector along a line has two points that do not coincide. If bodies carry the
-/// vector, one of them must carry both points.
+/// Checks that the two points of each `along` vector do not coincide. If bodies carry the vector,
+/// one of them must carry both points.
 void check_vectors_along(const Mechanism& mechanism, const Carriers& points,
                          const Carriers& vectors);
 
 /// Checks that joints have the entities that their type requires, carried by their bodies.
 void check_joints(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
+/// Checks that coordinates have the members that their type requires, and that bodies carry what
+/// they measure.
 void check_coordinates(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
-/// Checks that couplings relate two to four different coordinates, one at least not driven. Factors
-/// must be finite and not 0, and tables must make splines.
+/// Checks that couplings relate two to four different coordinates, of which at least one is not
+/// driven. Factors must be finite and not 0, and make_spline() must take the tables.
 void check_couplings(const Mechanism& mechanism);
 
 }  // namespace desmo

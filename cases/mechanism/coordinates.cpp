@@ -113,8 +113,8 @@ class CoordinateCheck {
                ", where its projection vanishes and has no angle; choose another direction");
   }
 
-  // Returns the cosine of the angle between two vectors: in the frame of a body that has one and
-  // carries both, if there is such a body; otherwise as drawn.
+  // Returns the cosine of the angle between two vectors. If a body with a frame of its own carries
+  // both, they are taken from that frame, otherwise as drawn.
   double cosine(int u, int v) const {
     int carrier = 0;
     for (const auto& [vector, body] : vectors_.of(u))

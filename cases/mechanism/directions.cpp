@@ -41,12 +41,13 @@ std::optional<Vec> direction(const Vec& p, const Vec& q) {
   return unit_vector(difference);
 }
 
-std::array<Remainder, 3> remainder_of(const Vec& unit, const std::array<Derived, 3>& along) {
-  std::array<Derived, 3> y = along;
-  const int exponent = std::ilogb(largest({y[0].value, y[1].value, y[2].value}));
-  for (Derived& x : y)  // scaled by a power of two, so that no square overflows or vanishes
-    x = {std::ldexp(x.value, -exponent),
-         {std::ldexp(x.correction, -exponent), std::ldexp(x.radius, -exponent)}};
+Mechanism::ExactVec near_unit(const Mechanism::ExactVec& x) {
+  const int exponent = std::ilogb(largest(Mechanism::rounded(x)));
+  return {x[0].scaled(-exponent), x[1].scaled(-exponent), x[2].scaled(-exponent)};
+}
+
+std::array<Remainder, 3> remainder_of(const Vec& unit, const Mechanism::ExactVec& along) {
+  const Mechanism::ExactVec y = near_unit(along);
   const Derived length = sqrt(dot(y, y));
   std::array<Remainder, 3> remainder;
   for (int i = 0; i < 3; ++i) remainder[i] = (y[i] / length).about(unit[i]).remainder();

@@ -19,13 +19,16 @@ std::optional<Mechanism::Vec> unit_vector(const Mechanism::Vec& x);
 /// more than 1e-12 of the largest absolute component of p and q.
 std::optional<Mechanism::Vec> direction(const Mechanism::Vec& p, const Mechanism::Vec& q);
 
-/// Returns the remainders of the components of a unit vector, which are rounded.
-/// - along: the exact vector whose direction it is, of any length but 0
-std::array<Remainder, 3> remainder_of(const Mechanism::Vec& unit,
-                                      const std::array<Derived, 3>& along);
+/// Returns a vector times a power of two. Its largest component then has a magnitude from 1 up to
+/// 2, so that products of such vectors neither overflow nor vanish. x: any vector but 0.
+Mechanism::ExactVec near_unit(const Mechanism::ExactVec& x);
 
-/// Returns the unit vector along a × b of unit vectors a, b. Returns nothing when they are parallel
-/// or nearly so: all components of the product are below 1e-8, half of its digits are lost.
+/// Returns the remainders of a unit vector: what each of its rounded components lacks.
+/// - along: exact vector of the same direction, of any length but 0
+std::array<Remainder, 3> remainder_of(const Mechanism::Vec& unit, const Mechanism::ExactVec& along);
+
+/// Returns the unit vector along a × b of unit vectors a, b. Returns nothing when they are nearly
+/// parallel: |component| < 1e-8 for each component of a × b, which then lacks half of its digits.
 std::optional<Mechanism::Vec> common_normal(const Mechanism::Vec& a, const Mechanism::Vec& b);
 
 }  // namespace desmo

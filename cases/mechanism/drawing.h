@@ -9,8 +9,8 @@
 
 namespace desmo {
 
-/// The nominal positions of a mechanism, in a scalar S: double, which has them rounded, or Derived,
-/// which has them with their remainders, as the file means them.
+/// The nominal positions of a mechanism in a scalar S: rounded (double), or with their remainders,
+/// as the file means them (Derived).
 template <class S>
 struct Drawing {
   using Vec = std::array<S, 3>;
@@ -21,14 +21,15 @@ struct Drawing {
   static Vec origin() { return {}; }
   Vec point(int p) const { return in_scalar(mechanism.points[p].exact()); }
   Vec vector(int v) const { return in_scalar(mechanism.vectors[v].exact()); }
-  /// Returns a vector, of length 1, or the difference of the two points of a line.
+  /// Returns the direction: a vector of length 1, or, of a line, its second point minus its first.
   Vec direction(const Direction& d) const {
     if (!d.is_line()) return vector(d.vector);
     const Vec from = point(d.from), to = point(d.to);
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   }
 
-  /// Returns the value of a relative coordinate: an angle in [−π, π] [rad], or a length.
+  /// Returns the value of a relative coordinate: an angle in [−π, π] [rad]; a distance, ≥ 0; of the
+  /// types `along` and `component` a length with its sign.
   S value(const Mechanism::Coordinate& c) const {
     using enum Mechanism::CoordinateType;
     using std::atan2;

@@ -8,10 +8,12 @@
 namespace desmo {
 
 /// Form of a joint type in the plane or in space: its name in files, the points and vectors that it
-/// joins, and the freedoms that it removes. Entities of a joint are either common, which both
-/// bodies carry, or own, which one body carries. In lists the first body's own one is before the
-/// second's. Of two own points, the second moves in the first body along the first vector only.
-/// With in_plane that vector is a normal, and the point moves at right angles to it only.
+/// joins, and the freedoms that it removes.
+/// - A common entity (point or vector) is carried by both bodies, an own one by one body.
+/// - In a joint's lists common entities come first, then the first body's own one, then the
+///   second's.
+/// - Of two own points, the second slides as seen from the first body: along the joint's first
+///   vector, or, with in_plane, at right angles to that vector.
 struct JointForm {
   Mechanism::JointType type;
   int dimension;

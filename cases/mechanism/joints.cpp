@@ -24,8 +24,8 @@ const JointForm& form_of(const Mechanism& d, int i) {
              "; choose another type");
 }
 
-// Checks one list of a joint, its points or its vectors: both bodies carry each common entity, the
-// first body carries the first own one, and the second body the second.
+// Checks one list of a joint, its points or its vectors. Both bodies must carry each common entity.
+// Of the own ones, the first body must carry the first, and the second body the second.
 template <class Entry>
 void check_carried(const Mechanism& d, int i, const JointForm& form, const std::vector<int>& joined,
                    int common, const std::vector<Entry>& entries, const Carriers& carriers,
@@ -49,8 +49,8 @@ void check_carried(const Mechanism& d, int i, const JointForm& form, const std::
   }
 }
 
-// Checks that two common points differ, so that they determine an axis. Checks that two common
-// vectors are not parallel, so that they prevent rotation.
+// Checks that two common points (hinge) differ, so that they determine the axis. Checks that two
+// common vectors (prismatic in space) are not parallel, so that they prevent rotation.
 void check_axis(const Mechanism& d, int i, const JointForm& form) {
   if (form.common_points == 2) {
     const Mechanism::Point &p = d.points[d.joints[i].points[0]],

@@ -19,7 +19,7 @@ namespace desmo {
 /// *Nominal* positions and directions are those of the drawing.
 struct Mechanism {
   using Vec = std::array<double, 3>;
-  /// A position or direction as the file means it.
+  /// A position or direction as the file means it: components with their remainders.
   using ExactVec = std::array<Derived, 3>;
 
   static Vec rounded(const ExactVec& x) { return {x[0].value, x[1].value, x[2].value}; }
@@ -48,7 +48,7 @@ struct Mechanism {
     ExactVec exact() const { return Mechanism::exact(direction, remainder); }
   };
 
-  /// The shape of a body in a frame of its own. The drawing has only the frame's place.
+  /// The shape of a body in a frame of its own. The frame's place is an estimate.
   struct Frame {
     Vec origin, rotation;           ///< nominal place; rotation vector [rad], in the plane along z
     std::vector<ExactVec> points;   ///< positions of Body::points in the frame
@@ -110,7 +110,7 @@ struct Mechanism {
   enum class CoordinateType {
     angle,      ///< angle from direction `from` to direction `of` [rad]; in space to the projection
                 ///< of `of` onto the plane of `from` and `towards`
-    distance,   ///< distance of two points; ≥ 0 as drawn, its sign may change where they meet
+    distance,   ///< distance of two points; ≥ 0 as drawn, may become negative where they meet
     along,      ///< signed distance from one point to another along a vector parallel to their line
     component,  ///< coordinate of a point along an axis of the ground's frame
   };
@@ -145,7 +145,8 @@ struct Mechanism {
     struct Table {
       std::vector<double> arguments, values;
       SplineEnds ends = SplineEnds::natural;
-      /// Constant term [m, free unit or rad]; none: the one with which the nominal position fits.
+      /// Constant term [m, free unit or rad]; none: such that the nominal position fulfils the
+      /// coupling.
       std::optional<Derived> from = Derived();
 
       bool repeats() const { return ends == SplineEnds::periodic || ends == SplineEnds::indexing; }
@@ -183,8 +184,9 @@ void name_joints(Mechanism& mechanism);
 /// - in the plane third components are 0; vectors have length 1, with an error of at most 1e-9
 /// - each joint has two bodies, which carry the entities that its type and the dimension require
 /// - the vectors of a spatial prismatic joint are not parallel, and the points of a hinge differ
-/// - joints connect all bodies that carry the same entity there
-/// - of the bodies that carry an `along` vector, if there are any, one carries its points
+/// - bodies that carry the same entity are connected, by joints that have it in common or by fixed
+///   joints
+/// - if bodies carry an `along` vector, one of them carries both of its points
 /// - coordinates refer to different entities, carried by bodies; an angle in space has vectors
 ///   `from` and `towards` at a right angle (|cosine| ≤ 1e-6), and is not perpendicular to both
 /// - couplings relate two to four different coordinates, not all of them driven, and no factor

@@ -15,7 +15,7 @@ namespace {
 template <class T>
 struct Tridiagonal {
   std::vector<T> diagonal;      ///< (n)
-  std::vector<T> off_diagonal;  ///< (n − 1), that above the diagonal and that below it
+  std::vector<T> off_diagonal;  ///< (n − 1): entries above the diagonal, equal to those below it
 };
 
 /// Solves a tridiagonal system with the right-hand side x by Thomas' algorithm, without pivoting:
@@ -34,9 +34,9 @@ std::vector<T> solve(const Tridiagonal<T>& matrix, std::vector<T> x) {
   return x;
 }
 
-/// Solves the system of a tridiagonal matrix with `corner` added at its upper right and lower left,
-/// by the formula of Sherman and Morrison. The matrix is A + u vᵀ with u = (γ, 0 … 0, corner) and v
-/// = (1, 0 … 0, corner/γ), where A is tridiagonal.
+/// Solves the system of a tridiagonal matrix with `corner` added at its upper right and lower left.
+/// By the formula of Sherman and Morrison: this matrix is A + u vᵀ, where A is tridiagonal,
+/// u = (γ, 0 … 0, corner) and v = (1, 0 … 0, corner/γ).
 template <class T>
 std::vector<T> solve_cyclic(Tridiagonal<T> matrix, const T& corner, std::vector<T> rhs) {
   const T gamma = -matrix.diagonal.front();  // any number but 0; this one keeps A dominant
@@ -58,8 +58,8 @@ bool closes(SplineEnds ends) {
   return ends == SplineEnds::periodic || ends == SplineEnds::indexing;
 }
 
-/// Returns z̈ at every knot. The velocity ż is continuous at knot i, where interval i (length hᵢ,
-/// slope δᵢ of its chord) follows interval i−1:
+/// Returns z̈ at every knot. It follows from the continuity of ż at each knot i, where interval i
+/// (length hᵢ, slope δᵢ of its chord) follows interval i−1:
 ///   hᵢ₋₁ z̈ᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) z̈ᵢ + hᵢ z̈ᵢ₊₁ = 6 (δᵢ − δᵢ₋₁)
 template <class T>
 std::vector<T> second_derivatives(const std::vector<T>& h, const std::vector<T>& slope,
@@ -131,8 +131,8 @@ std::vector<std::array<T, 4>> interpolated(const std::vector<double>& times,
   return pieces;
 }
 
-/// Returns the least double that is at or after a time. Where the radius does not tell whether the
-/// time is the double nearest to it, returns that double.
+/// Returns the least double at or after a time. Where the radius leaves open on which side of the
+/// nearest double the time is, returns the nearest double.
 double rounded_up(const Derived& time) {
   const auto [value, correction, radius] = time.rounded();
   return correction > radius ? std::nextafter(value, std::numeric_limits<double>::infinity())

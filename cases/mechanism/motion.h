@@ -72,8 +72,9 @@ class Spline {
 };
 
 /// Interpolates a table of times [s] and values by a spline that is twice continuously
-/// differentiable. A periodic spline is not repeated outside of its table. Each coefficient has its
-/// remainder to the exact spline's. Throws std::invalid_argument unless
+/// differentiable. A periodic spline is not repeated outside of its table. The remainders of
+/// coefficients are what they lack to those of the exact spline. Throws std::invalid_argument
+/// unless
 /// - there are as many times as values, two or more (periodic, indexing: three)
 /// - all are finite, the times strictly ascending, and (periodic) the last value equals the first
 /// - all coefficients are finite
@@ -87,9 +88,9 @@ struct Trapezoid {
   double start = 0;                ///< time at which the motion begins [s]
 };
 
-/// Makes a spline of a trapezoid, with the rest before and after. Inner knots are the times at
-/// which the acceleration jumps, rounded up. At every time that is a double, the motion is that of
-/// the exact knots. Throws std::invalid_argument when knots coincide or anything overflows.
+/// Makes a spline of a trapezoid, and of the standstill before and after it. Inner knots are the
+/// times at which the acceleration jumps, rounded up. The rounding changes z at no time that is a
+/// double. Throws std::invalid_argument when knots coincide or anything overflows.
 Spline make_spline(const Trapezoid& trapezoid);
 
 /// Prescribed motion of one independent coordinate.

@@ -17,9 +17,9 @@ constexpr std::size_t max_suggestions = 3;
 // A list of up to max_listed names is shown whole, of a longer one the first first_listed.
 constexpr std::size_t max_listed = 15, first_listed = 8;
 
-// Returns Levenshtein's distance of two texts in bytes, or limit + 1 when it is larger. Evaluates
-// only a band of 2 limit + 1 diagonals: the search for a misspelt name visits every name of a
-// mechanism.
+// Returns Levenshtein's distance of two texts in bytes, or limit + 1 when it is larger than limit.
+// Evaluates only a band of 2 limit + 1 diagonals of the table, since the search for a misspelt name
+// compares it with every name of a mechanism.
 int edit_distance(std::string_view a, std::string_view b, int limit) {
   const int rows = static_cast<int>(a.size()), columns = static_cast<int>(b.size());
   if (std::abs(rows - columns) > limit) return limit + 1;

@@ -20,12 +20,12 @@ struct RequestedEntity {
   Level level;  ///< highest level requested
 };
 
-/// A requested quantity that is no coordinate, but computed from values and rates of coordinates.
+/// A requested quantity that is no coordinate. It is computed from coordinates and their rates.
 struct RequestedMeasure {
   enum class Kind {
     rotation,  ///< a body's rotation from the drawing, angular velocity and angular acceleration
-    joint,     ///< angle about a joint's axis, travel along it, or both, of the second body in the
-               ///< first
+    joint,     ///< motion of a joint's second body in its first: angle about the axis, travel along
+               ///< it, or both
     ratio,     ///< ratio of the velocities of two coordinates
   };
   Kind kind;
@@ -33,7 +33,8 @@ struct RequestedMeasure {
   Level level;                      ///< highest level requested; ratio: velocity
   std::string name{};               ///< name of a ratio; else empty
   std::array<std::string, 2> of{};  ///< a ratio's coordinates, as Model::coordinate() knows them
-  /// Only patterns ask for it. An angle is then left out where a body does not tell how it turns.
+  /// Only patterns ask for it, no name. An angle is then left out where the points and vectors of a
+  /// body do not determine how the body turns. An angle asked for by name would be refused.
   bool by_pattern = false;
 };
 

@@ -10,8 +10,9 @@ namespace {
 
 using Part = MechanismError::Part;
 
-// Refuses an entity whose carriers are not all connected by joints there or by fixed joints.
-// - joined, common: members for points or for vectors, as `part` is
+// Refuses an entity, a point or a vector, that several bodies carry, unless joints connect all of
+// these bodies: joints that have the entity in common, or fixed joints.
+// - part, joined, common: all for points, or all for vectors
 // - fixed: sets of bodies that fixed joints connect
 void check(const Mechanism& d, Part part, const Carriers& carriers,
            std::vector<int> Mechanism::Joint::*joined, int JointForm::*common,
@@ -26,7 +27,8 @@ void check(const Mechanism& d, Part part, const Carriers& carriers,
                    carriers.find({entity, joint.bodies[1]}));
     }
   }
-  std::vector<int> last(d.bodies.size(), -1);  // by set of fixed bodies: index of its last pair
+  // Fixed joints connect pairs of one entity whose bodies are in one set. Pairs ascend by entity.
+  std::vector<int> last(d.bodies.size(), -1);  // by set: index of its latest pair; -1: none so far
   for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
     int& previous = last[fixed.find(pairs[i].body)];
     if (previous >= 0 && pairs[previous].entity == pairs[i].entity) shared.unite(previous, i);
@@ -42,7 +44,7 @@ void check(const Mechanism& d, Part part, const Carriers& carriers,
   }
 }
 
-// Checks that joints connect all bodies that carry the same point or vector there.
+// Checks that joints connect all bodies that carry the same point or vector.
 void check_sharing(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
   DisjointSets fixed = fixed_bodies(d);
   check(d, Part::point, points, &Mechanism::Joint::points, &JointForm::common_points, fixed);
@@ -79,10 +81,10 @@ void refuse(const Mechanism& d, Part part, int index, const std::string& what) {
 
 void validate(const Mechanism& d) {
   if (d.dimension != 2 && d.dimension != 3)
-    refuse(d, Part::description, 0,
+    refuse(d, Part::mechanism, 0,
            "the dimension is " + std::to_string(d.dimension) + "; it must be 2 or 3");
   if (d.bodies.empty())
-    refuse(d, Part::description, 0, "has no bodies; the first body must be the ground");
+    refuse(d, Part::mechanism, 0, "has no bodies; the first body must be the ground");
   check_names(d);
   check_entities(d);
   const Carriers points(d, &Mechanism::Body::points), vectors(d, &Mechanism::Body::vectors);

@@ -117,7 +117,7 @@ struct Compensated {
     return {value, correction, relative < half ? radius : S(INFINITY)};
   }
 
-  /// Returns the sine or cosine f of an angle a [rad], from f at the double a.value.
+  /// Returns f(a), where f is sine or cosine and a an angle [rad], from f(a.value).
   /// - value + remainder: f(a.value), with an error of at most `off`
   /// - slope: f′(a.value), rounded to double
   static Compensated turned(const Compensated& a, const S& value, const S& remainder,
@@ -126,8 +126,9 @@ struct Compensated {
     const S first = slope * a.correction;
     const S correction = remainder + first;
     const S e = size(a.correction) + a.radius;
-    // e² is twice the second-order term. What is left of it, and what `off` exceeds the error of
-    // f(a.value) by, cover the roundings of `first` and of the sum: 4 · 2^-53 · |a.correction|.
+    // The radius has e², twice the bound on the second-order term. The other e²/2 covers the
+    // roundings of `first` and of the sum with it, together ≤ 2^-51 e, where e ≥ 2^-50. For smaller
+    // e the margin of `off`, by which it exceeds the error of f(a.value), covers them.
     return {value, correction, off + size(slope) * a.radius + e * e};
   }
 };

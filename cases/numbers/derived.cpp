@@ -13,19 +13,17 @@ using Number = Compensated<double>;
 
 Derived derived(const Number& x) { return {x.value, {x.correction, x.radius}}; }
 
-/// Returns a number times 2^exponent, so that squares neither overflow nor vanish. It is exact
-/// unless a part underflows.
-Derived scaled(const Derived& x, int exponent) {
-  return {std::ldexp(x.value, exponent),
-          {std::ldexp(x.correction, exponent), std::ldexp(x.radius, exponent)}};
-}
-
 }  // namespace
 
 Derived Derived::about(double other) const {
   if (other == value) return *this;
   const Interval rest = (Number(*this) - Number(other)).enclosure();
   return {other, {rest.mid, rest.radius}};
+}
+
+Derived Derived::scaled(int exponent) const {
+  return {std::ldexp(value, exponent),
+          {std::ldexp(correction, exponent), std::ldexp(radius, exponent)}};
 }
 
 Derived operator+(const Derived& a, const Derived& b) { return derived(Number(a) + Number(b)); }
@@ -39,9 +37,10 @@ Derived sqrt(const Derived& a) {
 Derived atan2(const Derived& y, const Derived& x) {
   const double angle = std::atan2(y.value, x.value);
   const int exponent = std::ilogb(std::max(std::abs(y.value), std::abs(x.value)));
-  const Derived v = scaled(y, -exponent), u = scaled(x, -exponent);
-  // `sine` is the sine of the angle from the direction of the rounded angle to (x, y). That angle
-  // differs from its sine by less than |sine|³/5.
+  // So scaled, no square overflows or vanishes.
+  const Derived v = y.scaled(-exponent), u = x.scaled(-exponent);
+  // What `angle` lacks is the angle from its direction to (x, y), whose sine is `sine`. A small
+  // angle differs from its sine by less than |sine|³/5.
   const Derived at_sine = derived(sin(Number(angle))), at_cosine = derived(cos(Number(angle)));
   Derived sine = (v * at_cosine - u * at_sine) / sqrt(u * u + v * v);
   sine.radius += std::pow(std::abs(sine.value + sine.correction) + sine.radius, 3) / 5;

@@ -31,6 +31,8 @@ struct Derived {
   Derived about(double other) const;
   /// Returns the same number with the double nearest to value + correction as its value.
   Derived rounded() const { return about(value + correction); }
+  /// Returns the number times 2^exponent. This is exact unless a member overflows or underflows.
+  Derived scaled(int exponent) const;
 
   friend Derived operator-(const Derived& a) { return {-a.value, {-a.correction, a.radius}}; }
   friend Derived operator+(const Derived& a, const Derived& b);

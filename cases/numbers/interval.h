@@ -64,12 +64,14 @@ struct BasicInterval {
   static BasicInterval rounded(const S& mid, const S& radius, double relative) {
     return {mid, (radius + S(relative) * size(mid)) * S(above) + S(tiny)};
   }
-  /// Returns the sine or cosine of an interval from its value and its slope at the midpoint.
+  /// Returns f of an interval, where f is sine or cosine.
+  /// - value, slope: f and its derivative f′ at the midpoint, as the library rounds them
   static BasicInterval turned(const BasicInterval& a, const S& value, const S& slope) {
     using std::min;
-    // |f(a + e) − f(a)| ≤ |f′(a)| |e| + e²/2. The error of the slope counts as two roundings; five
-    // more follow, seven in all.
-    constexpr double last_place = 2 * unit, range = 2;
+    // |f(mid + e) − f(mid)| ≤ |f′(mid)| radius + radius²/2 for |e| ≤ radius. The error of the slope
+    // counts as two roundings; five more follow, seven in all.
+    constexpr double last_place = 2 * unit;  // largest error of the library's value, relative
+    constexpr double range = 2;              // no two values of f are further apart
     const BasicInterval result =
         rounded(value, a.radius * (size(slope) + a.radius * S(0.5)), last_place);
     return {value, min(S(range), result.radius)};

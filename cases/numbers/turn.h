@@ -29,10 +29,10 @@ inline Turn<double> library_turn(double angle) {
 }
 
 /// Returns sine and cosine of an angle [rad], as double, remainder and a bound on the error. The
-/// angle is k π/64 + r: sine and cosine of k π/64 are in the table, those of r are Taylor series,
-/// whose leading terms keep what they round off. The bound holds where operations stay as they are
-/// written (-ffp-contract=off). Where the angle of any lane is above 2^21 in magnitude, or is NaN,
-/// library_turn() computes all lanes.
+/// angle is k π/64 + r with an integer k. Sine and cosine of k π/64 are in the table. Those of r
+/// are Taylor series; what the leading terms round off is kept. The bound holds where operations
+/// stay as they are written (-ffp-contract=off). Where the angle of any lane is above 2^21 in
+/// magnitude, or is NaN, library_turn() computes all lanes.
 template <class S>
 Turn<S> turn(const S& angle) {
   using std::fma;
@@ -69,8 +69,8 @@ Turn<S> turn(const S& angle) {
     return all;
   }
 
-  // r + of_r = angle − k π/64 within 2^-86 (Cody & Waite): products with the first two parts of
-  // π/64, of 27 and 25 bits, are exact, and so is the first difference.
+  // r + of_r = angle − k π/64 within 2^-86 (Cody & Waite). π/64 is high + middle + low; the first
+  // two have 27 and 25 bits, so that their products with k are exact. So is the first difference.
   constexpr double per_step = 0x1.45f306dc9c883p4, whole = 0x1.8p52;
   constexpr double high = 0x3.243f6a8p-6, middle = 0x0.885a308p-34, low = 0x0.d313198a2e037p-62;
   const S k = (angle * S(per_step) + S(whole)) - S(whole);  // 64/π · angle, rounded to an integer
@@ -80,8 +80,9 @@ Turn<S> turn(const S& angle) {
   const S rest = lost - k * S(low);
   const S r = difference + rest, of_r = rest - (r - difference);
 
-  // sin r = r + s, within 2^-69.8 by rounding and 2^-70.4 by of_r r²/2, which is left out;
-  // cos r = 1 + c + of_c with c = −r²/2, within 2^-75. |r| < 0.0246 and |s| < 2^-18.6.
+  // Here |r| < 0.0246. sin r = r + s with |s| < 2^-18.6; the error is at most 2^-69.8 by rounding
+  // and 2^-70.4 by of_r r²/2, which is left out. cos r = 1 + c + of_c with c = −r²/2; the error is
+  // at most 2^-75.
   const S square = r * r;
   const S of_square = fma(r, r, -square) + S(2) * r * of_r;
   const S s =

@@ -9,8 +9,10 @@
 namespace desmo::report {
 namespace {
 
-/// Fills the lists of candidates that are not compared: `invalid`, wrong in head; `excluded`, new
-/// in head, or wrong or unverified in `then`; `missing`, in `then` only.
+/// Fills the lists of candidates that are not compared. then: record that head is compared with.
+/// - `invalid`: wrong in head
+/// - `excluded`: new in head, or wrong or unverified in `then`
+/// - `missing`: in `then` only
 void exclude(CheckOutcome& outcome, const CheckRecord& check, const Record& then) {
   for (const auto& [key, head] : check.head.candidates) {
     const std::string name = name_of(key);
@@ -33,7 +35,8 @@ bool any(const Findings& findings, Finding outcome) {
   return std::ranges::any_of(findings, [&](const auto& f) { return f.outcome == outcome; });
 }
 
-/// Removes the work of candidates whose answers are wrong: the verdict says only that of them.
+/// Removes the work of candidates whose answers are wrong: the verdict says nothing else of them
+/// than that.
 void remove_invalid_work(CheckOutcome& outcome) {
   for (const Excluded& wrong : outcome.invalid)
     std::erase_if(outcome.work.candidates,

@@ -35,13 +35,13 @@ struct CheckOutcome {
   WorkFindings work;
 };
 
-/// Compares times and counts of head with those of base; where a baseline is given, counts of head
-/// with those of the baseline's head only. With neither, the verdict is CheckVerdict::incomparable
-/// unless head is wrong.
+/// Compares times and counts of head with those of base. Where a baseline is given (not null),
+/// compares counts only, with those of the baseline's head. With neither, the verdict is
+/// CheckVerdict::incomparable unless head is wrong.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
-/// Returns the measurements that could still change the verdict. "first CANDIDATE" stands for more
-/// rounds of the first pass. "second CANDIDATE" stands for rounds of the second one.
+/// Returns the measurements that could still change the verdict: "first CANDIDATE" for more rounds
+/// of the first pass, "second CANDIDATE" for rounds, or more rounds, of the second one.
 std::vector<std::string> pending(const CheckOutcome& found);
 
 /// Returns the verdict with its reasons, a line on what was measured where, and tables of times and

@@ -24,8 +24,8 @@ Work read_work(const RecordValue& node, bool two_sides) {
   return work;
 }
 
-// Checks that both sides have the same candidates, and that those that are timed on both sides have
-// as many rounds there.
+// Checks that both sides have the same candidates, and that a candidate that is timed on both sides
+// has as many rounds in base as in head.
 void check_pairs(const CheckRecord& check, const RecordValue& root) {
   for (const auto& [key, head] : check.head.candidates) {
     const auto base = check.base->candidates.find(key);

@@ -18,7 +18,8 @@ namespace desmo::report {
 /// changes of the machine.
 inline constexpr const char* control_name = "control";
 
-/// The least CPU time [s] of each round, of a candidate or the control. Base and head have as many.
+/// Times of a candidate or of the control: the least CPU time [s] of each round. Base and head have
+/// equally many rounds.
 struct Rounds {
   std::vector<double> base, head;
 };

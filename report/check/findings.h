@@ -12,9 +12,9 @@
 
 namespace desmo::report {
 
-/// Limits of the ratio time of head / time of base without an alarm, ≤. An alarm needs two passes
-/// in which the median is above max_change and the lower end of its interval above
-/// max_certain_change. An improvement is an alarm with base and head exchanged.
+/// Limits of the ratio time of head / time of base. An alarm needs two passes, in each of which the
+/// median of the ratio is above max_change, and the lower end of the median's interval is above
+/// max_certain_change. An improvement is what would be an alarm with base and head exchanged.
 inline constexpr double max_change = 1.05;
 inline constexpr double max_certain_change = 1.02;
 /// Largest width of an interval, upper end / lower end, ≤. A wider interval does not show that
@@ -23,8 +23,8 @@ inline constexpr double max_interval_width = 1.05;
 /// Largest ratio of the control's times, in either direction, ≤. A larger one, or an interval wider
 /// than max_interval_width, makes all times too noisy.
 inline constexpr double max_control_change = 1.02;
-/// Least change of the instructions that raises an alarm, ≥ [%], after rounding to the tenth that
-/// is shown.
+/// Least increase of the number of instructions that raises an alarm [%], ≥. It is compared with
+/// the increase that is shown, which is rounded to a tenth.
 inline constexpr double min_alarming_percent = 1.0;
 
 /// The finding on one candidate, by time or by work.
@@ -70,9 +70,9 @@ struct WorkFindings {
   std::vector<WorkFinding> candidates;  ///< candidates that were counted on both sides
 };
 
-/// Compares the counts of head with those of base, or of a stored baseline's head. Counts depend on
-/// compiler, flags, libraries and tool, but not on the processor: callgrind shows every program the
-/// same one.
-WorkFindings find_works(const CheckRecord& check, const CheckRecord* baseline = nullptr);
+/// Compares the counts of head with those of base; where a baseline is given (not null), with those
+/// of the baseline's head. Counts depend on compiler, flags, libraries and tool, but not on the
+/// processor: callgrind, which counts, shows every program the same one.
+WorkFindings find_works(const CheckRecord& check, const CheckRecord* baseline);
 
 }  // namespace desmo::report

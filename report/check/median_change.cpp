@@ -11,8 +11,8 @@ namespace {
 
 constexpr double tail = 0.005;  // probability on either side of the 99 % interval
 
-/// Returns the smallest value that the median of a resample exceeds with a probability of at most
-/// 1 − p. values: in ascending order.
+/// Returns the p-quantile of the median of a resample: the smallest of the values that this median
+/// does not exceed with a probability of at least p. values: in ascending order.
 double quantile(const std::vector<double>& values, double p) {
   std::size_t k = 1;
   while (k < values.size() && median_at_most(k, values.size()) < p) ++k;

@@ -17,10 +17,11 @@ struct Change {
 /// are as many old times.
 Change median_change(std::span<const double> times, std::span<const double> old_times);
 
-/// Returns the probability that the median of a resample of n values, drawn with replacement, is at
-/// most the k-th smallest of them. No resample is drawn: this is the case exactly when at least
-/// half of the n draws fall on the k smallest. That has a binomial probability (Efron, 1979). With
-/// an even n the median is the lower of the two values in the middle.
+/// Returns the probability that the median of a resample is at most the k-th smallest of n values.
+/// A resample is n draws from the values, with replacement; none is made here. Its median is at
+/// most that value exactly when at least half of the draws fall on the k smallest, which has a
+/// binomial probability (Efron, 1979). For an even n the median is the lower of the two in the
+/// middle.
 double median_at_most(std::size_t k, std::size_t n);
 
 }  // namespace desmo::report

@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 
 /// Adds the numbers of an entry to a datum, with the digits that are printed. A missing first
 /// quantity is null; other missing ones are left out.
+/// - is_folded: the design has `fold` (figures.h), so that keys do not begin with the column's name
 void add_numbers(Json& datum, const Column& column, const Entry& entry, bool is_folded) {
   for (std::size_t i = 0; i < column.quantities.size(); ++i) {
     const bool known = i < entry.digits.size() && !entry.digits[i].empty();
@@ -77,10 +78,11 @@ void keep_measured(Json& scale, const std::string& channel, std::set<std::string
   scale["range"] = std::move(range);
 }
 
-/// Does so in all scales with a range below a node of a specification. A scale with a named range
-/// takes all measured names as its domain. A scale of a field without data stays as it is.
-/// - domains: domains of the design by field; a field's first scale states that of the others
-/// - shown: becomes the domain of the first scale, if it is null
+/// Leaves the measured names in all scales that have a range, below a node of a specification. A
+/// scale with a named range takes all measured names as its domain. A scale of a field without data
+/// stays as it is.
+/// - domains: domains that the design states, by field. Only a field's first scale must state one
+/// - shown: if it is null, it becomes the domain of the first scale with a range
 void keep_measured(Json& node, const Json& data, std::map<std::string, Json>& domains,
                    Json& shown) {
   for (auto& [channel, child] : node.items()) {

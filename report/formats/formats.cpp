@@ -15,8 +15,8 @@ std::string markdown_text(const std::string& text) {
 // Largest number of characters without a blank in an entry that is left unbroken.
 constexpr std::size_t max_unbroken = 40;
 
-/// Returns the text of an entry. Where a word is too long, as an id with many settings, a line ends
-/// before each "/": no column may be wider than a page.
+/// Returns the text of an entry. Where a word is longer than max_unbroken, such as an id with many
+/// settings, a line ends before each "/", so that no column is wider than a page.
 std::string markdown_entry(const std::string& text) {
   std::string entry = markdown_text(text);
   std::size_t word = 0, longest = 0;

@@ -50,7 +50,7 @@ struct IndexRow {
 /// Writes the page of a site's index, self-contained, with a selector of machine and date.
 std::string to_index(const std::vector<IndexRow>& rows);
 
-/// Returns a text in which texts stand in place of some characters.
+/// Returns a text in which each character that is a key of `escapes` is replaced by its value.
 std::string escaped(std::string_view text, const std::map<char, std::string>& escapes);
 
 /// Returns the number of characters of a text in UTF-8.

@@ -6,8 +6,8 @@
 namespace desmo::report {
 namespace {
 
-// Largest row_width() of a table with intervals next to the numbers; in wider tables they are
-// below.
+// Largest row_width() of a table that has intervals next to their numbers, ≤. Wider tables have
+// them below the numbers.
 constexpr std::size_t max_row_width = 122;
 
 // Replaces the first {name} in a page's frame for each of the values, in their order.

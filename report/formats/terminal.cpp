@@ -57,8 +57,8 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return result;
 }
 
-// Returns widths of columns with which a row fits into a line. A row is longer where the longest
-// pieces of its columns are too long together.
+// Returns widths of columns with which a row fits into a line, as far as pieces() allow: no column
+// gets narrower than its longest piece.
 std::vector<std::size_t> column_widths(const Table& table) {
   std::vector<std::size_t> widths, least;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {

@@ -22,7 +22,7 @@ struct SeriesKey : CaseSize {
   auto operator<=>(const SeriesKey&) const = default;
 };
 
-/// Relative errors of a series below which no result is to be expected.
+/// Relative errors of a series that no result is expected to fall below.
 struct Floor {
   LevelNumbers reference;  ///< differences of the reference's two solutions
   /// Errors that the condition number explains in double and in float; none where a position is
@@ -89,7 +89,7 @@ struct ExtremeRow {
       expected;  ///< the difficulty, and the answer that every formulation should give
 };
 
-/// The worst relative error of a level, with the floor that conditioning sets there.
+/// The worst relative error of a level, with the error that conditioning explains, the floor.
 struct ExtremeError {
   double error = 0, floor = 0;
 };

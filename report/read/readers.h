@@ -1,6 +1,8 @@
-// The readers of the parts of a record. All throw InputError, naming the place, for what is given
-// twice, a missing key, a time that is not above zero, and an "ok" without verification or error. A
-// measurement whose verification exceeds `record.settings.allowed` becomes a failure that says so
+// The readers of the parts of a record. All throw InputError, naming the place, where
+// - something is given twice, or a key is missing
+// - a time is not above zero
+// - a measurement is "ok" without a verification or, in the accuracy experiment, an error
+// A measurement whose verification exceeds `record.settings.allowed` becomes a failure that says so
 // and has no time.
 #pragma once
 

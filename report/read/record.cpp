@@ -129,12 +129,19 @@ Record read_record(const std::filesystem::path& file) {
 }
 
 std::map<std::string, Record> read_records(const std::filesystem::path& folder) {
-  if (!is_directory(folder)) throw UnreadableRecord(folder.string() + ": there is no folder");
+  std::error_code error;
+  if (!is_directory(folder, error))
+    throw UnreadableRecord(folder.string() + ": there is no folder");
+  const std::filesystem::directory_iterator files(folder, error);
+  if (error) throw UnreadableRecord(folder.string() + ": " + error.message());
   std::map<std::string, Record> records;
-  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+  for (const auto& file : files) {
     const std::string name = file.path().filename().string();
-    if (const std::size_t end = name.find(".json"); end != name.npos)
-      records.emplace(name.substr(0, end), read_record(file.path()));
+    const std::size_t end = name.find(".json");
+    if (end == name.npos) continue;
+    if (!records.emplace(name.substr(0, end), read_record(file.path())).second)
+      throw InputError(folder.string() + ": has two files of the record " + name.substr(0, end) +
+                       "; keep one");
   }
   return records;
 }

@@ -68,8 +68,8 @@ inline std::string name_of(const CandidateKey& key) {
 inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
                                    "solve",    "right_hand_sides", "rest"};
 
-/// Wall-clock time [s] of each phase of a step in an instrumented run: those of the pass with the
-/// median total among several.
+/// Wall-clock time [s] of each phase of a step in an instrumented run. Of several passes it is the
+/// one with the median total.
 using Profile = std::array<double, phases.size()>;
 
 /// The time of a formulation that solves only what a request asks. `verification` stays empty.
@@ -159,7 +159,8 @@ Record read_record(const RecordValue& root);
 Record read_record(const std::filesystem::path& file);
 
 /// Reads every file of a folder that has ".json" in its name, as a record. The key is the name up
-/// to there. Throws as read_record(), and UnreadableRecord where there is no folder.
+/// to there. Throws as read_record(), UnreadableRecord where the folder cannot be read, and
+/// InputError where two files have the same key.
 std::map<std::string, Record> read_records(const std::filesystem::path& folder);
 
 }  // namespace desmo::report

@@ -41,7 +41,7 @@ class RecordValue : public JsonValue {
     return all;
   }
 
-  std::string text() const;    ///< text, with spaces for control characters, which terminals obey
+  std::string text() const;    ///< text, with spaces in place of control characters
   std::string name() const;    ///< part of a file name: letters, digits, "_" and "-", one or more
   std::string digest() const;  ///< SHA-256: 64 hexadecimal digits in lower case
   std::string utc() const;     ///< date and time in the form 2026-11-21T17:48:47Z
@@ -51,8 +51,8 @@ class RecordValue : public JsonValue {
   double positive() const;                ///< number, 0 < it ≤ 1e100
   double sample() const;                  ///< measured time [s], 1e-9 ≤ it ≤ 1e9
 
-  /// Returns every text, number and boolean inside, with its path, such as "machine cpu". All that
-  /// is in a list makes one text.
+  /// Returns every text, number and boolean inside, with its path, such as "machine cpu". The
+  /// elements of a list make one text.
   std::vector<std::pair<std::string, std::string>> leaves() const;
 
   /// Returns the index of the text in a list of words. Throws InputError when it is none of them.

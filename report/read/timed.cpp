@@ -66,7 +66,7 @@ Windows read_windows(const RecordValue& node, const RecordSettings& settings) {
 }
 
 // Throws InputError where the least times of windows add up to more than the shortest repetition,
-// of which all windows are parts. A thousandth is left to the clock.
+// which consists of the same windows. A thousandth more is allowed for the clock.
 void require_within_repetition(const RecordValue& node, const Time& time) {
   const std::vector<double>& least = time.windows.least;
   if (std::accumulate(least.begin(), least.end(), 0.0) > 1.001 * std::ranges::min(time.seconds))

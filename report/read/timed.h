@@ -14,7 +14,7 @@ namespace desmo::report {
 struct CaseSize {
   std::string case_name;
   std::int64_t coordinates = 0;  ///< size: number of coordinates
-  /// Returns whether case and size are the same; of derived keys nothing else is compared.
+  /// Returns whether case and size are the same. Other members of derived keys are not compared.
   bool is_at(const CaseSize& place) const { return *this == place; }
   auto operator<=>(const CaseSize&) const = default;
 };
@@ -25,9 +25,9 @@ enum class Clock {
   wall,  ///< time that passes: for several threads, and for analyses compared with these
 };
 
-/// Times of the timing windows into which a motion is cut: pieces of equally many instants, up to
-/// one, between two clock readings. Vectors have one element for each window, or are empty where
-/// the record has none.
+/// Times of the timing windows into which a motion is cut: pieces between two clock readings, whose
+/// numbers of instants differ by one at most. Vectors have one element for each window, or are
+/// empty where the record has none.
 struct Windows {
   std::vector<double> least = {};  ///< least time [s] that any analysis took
   // The following are empty where updates are not counted.

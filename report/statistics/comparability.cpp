@@ -89,8 +89,8 @@ void compare_settings(Comparison& all, const RecordSettings& a, const RecordSett
   all.require_same("duration", a.duration_seconds, b.duration_seconds);
 }
 
-// Compares candidates that have a time on both sides. Peers have no digest, since they find other
-// coordinates.
+// Compares the digests of candidates that have a time on both sides. Peers find other coordinates
+// and have no digests, so that neither side having one is no difference.
 void compare_timings(Comparison& all, const TimedGroup& a, const TimedGroup& b) {
   for (const auto& [key, one] : a.measurements) {
     const auto other = b.measurements.find(key);

@@ -19,8 +19,8 @@ struct Difference {
 /// - the environment: CPU model, compiler, build type, flags, linking, BLAS core and threads
 /// - settings: tolerance, iterations at most, first guess, step and duration
 /// - the model and the results of what both have timed
-/// At least one measurement must be in both. What only one records counts as different, and linking
-/// also where neither does.
+/// At least one measurement must be in both. A value that only one of the records has counts as a
+/// difference. So does linking where neither has it.
 std::vector<Difference> incomparable_reasons(const Record& first, const Record& second);
 
 /// Returns why speed-ups of two machines cannot stand side by side; empty when they can. They must
@@ -41,9 +41,9 @@ CandidateKey timing_key(const PointKey& point);
 /// Returns every group that a record may have, in the order of tables, empty groups included.
 std::vector<TimedGroup> timed_groups(const Record& record);
 
-/// Returns the key of the reference whose time is divided by that of a key in a speed-up: the usual
-/// reference of the same case, size, request and step. Where the wall clock measures, it is the
-/// same analysis on one thread.
+/// Returns the key of a key's reference. The speed-up of a key is the reference's time divided by
+/// its own. By the CPU clock, the reference is the usual one with the same case, size, request and
+/// step; by the wall clock, it is the same analysis on one thread.
 CandidateKey reference_of(const CandidateKey& key);
 
 }  // namespace desmo::report

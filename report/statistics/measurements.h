@@ -24,7 +24,7 @@ struct Measured {
   Clock clock = Clock::cpu;
 };
 
-/// Return the time of a candidate; a key is looked up in Record::candidates, of the CPU clock.
+/// Return the time of a candidate. A key is looked up in Record::candidates (by the CPU clock).
 Measured measured(const Record& record, const CandidateKey& key);
 Measured measured(const Measurement& candidate);
 
@@ -71,10 +71,11 @@ std::optional<CandidateKey> fastest_of(const Record& record,
 std::optional<CandidateKey> fastest(const Record& record, const CaseSize& place,
                                     const std::function<bool(const Configuration&)>& holds);
 
-/// Finds the fastest reference (is_reference) that has the paper's settings.
+/// Finds the fastest reference (is_reference()) that has the paper's settings.
 std::optional<CandidateKey> papers_reference(const Record& record, const CaseSize& place);
 
-/// Finds the fastest reference with the guess and the tolerance of a candidate.
+/// Finds the fastest reference with the guess, iterations and tolerance of a candidate. Returns
+/// nothing where the candidate's id is no configuration.
 std::optional<CandidateKey> reference_like(const Record& record, const CandidateKey& key);
 
 /// Returns the numbers of coordinates recorded of each case, measured or not.

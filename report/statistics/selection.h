@@ -19,8 +19,8 @@ using Points = std::vector<const NamedPoint*>;
 /// Limits of the largest relative position error within which the fastest formulation is sought, ≤.
 inline constexpr std::array accuracies{1e-3, 1e-6, 1e-9, 1e-12};
 
-/// Returns one motion of each case: among those with the record's own step, the one with the most
-/// instants at the largest size. Leaves out cases without a motion of that step.
+/// Returns one motion of each case: of those with the record's own step and the largest size, the
+/// one with the most instants. Leaves out cases without a motion of that step.
 std::vector<SeriesKey> drawn_series(const Record& record);
 
 Points points_of(const Record& record, const SeriesKey& series);
@@ -44,8 +44,8 @@ const NamedPoint* cheapest(
     const Points& points, double max_error,
     const std::function<bool(const Configuration&)>& may = [](const auto&) { return true; });
 
-/// Returns the fastest point of a formulation with position error ≤ max_error that has the paper's
-/// guess and Jacobian updates and stops its steps anywhere; null when there is none.
+/// Returns the fastest point of a formulation with position error ≤ max_error, of those that differ
+/// from the paper's settings at most in where steps stop; null when there is none.
 const NamedPoint* cheapest_of_paper(const Points& points, std::string_view formulation,
                                     double max_error);
 

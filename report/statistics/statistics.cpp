@@ -16,8 +16,8 @@ constexpr std::array student_quantiles{12.706, 4.303, 3.182, 2.776, 2.571, 2.447
                                        2.110,  2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064,
                                        2.060,  2.056, 2.052, 2.048, 2.045, 2.042};
 
-// Returns the quantile. With more degrees of freedom than the table has, it is the table's last,
-// which is at most 4.2 % too large.
+// Returns the quantile for that many degrees of freedom, ≥ 1. For more than the table has, it is
+// the table's last one, which is at most 4.2 % too large.
 double student(std::size_t freedom) {
   return student_quantiles[std::min(freedom, student_quantiles.size()) - 1];
 }
@@ -61,14 +61,14 @@ std::vector<WindowPoint> points(const Windows& s, std::optional<std::size_t> lef
   return points;
 }
 
-// Returns the largest undisturbed time per instant that a point allows with that number of updates:
-// with fewer updates than the point has its time, with more that time in proportion.
+// Returns the largest undisturbed time per instant that a point allows for `updates` per instant:
+// the point's own time; for more updates than the point has, its time in proportion to them.
 double bound(const WindowPoint& point, double updates) {
   return point.seconds * std::max(1.0, updates / point.updates);
 }
 
-// Returns the bound by two points on either side: the least of their bounds and of the chord
-// between them.
+// Returns the bound by two points, one with fewer updates and one with more: the least of their two
+// bounds and of the chord between them.
 double bound(const WindowPoint& left, const WindowPoint& right, double updates) {
   const double of_one = std::min(bound(left, updates), bound(right, updates));
   const double width = right.updates - left.updates;

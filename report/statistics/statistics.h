@@ -40,7 +40,7 @@ struct SampleSummary {
   /// The time without the best repetition.
   /// - with samples of timing windows of two repetitions or more: the largest undisturbed time that
   ///   results when one repetition is left out
-  /// - of a step: the second least sample; of one sample, that
+  /// - of a step: the second least sample; where there is one sample, that sample
   std::optional<double> without_best = {};
   bool has_interval() const { return count >= min_for_interval; }
   double half_range() const { return (largest - least) / 2; }
@@ -60,13 +60,12 @@ inline constexpr double max_conclusive_width = 0.05;
 /// A speed-up: S = t_reference / t_variant.
 struct SpeedUp {
   double value = 0;  ///< ratio S of the times
-  /// Limits of the ratio, by what both sides have:
-  /// - without_best: low takes that of the variant, high that of the reference, each with the
-  ///   other's time; they are close where two repetitions or more agree
+  /// Limits of the ratio, r = reference, v = variant. They depend on what both sides have:
+  /// - without_best: low = r.value / v.without_best and high = r.without_best / v.value, which are
+  ///   close where two repetitions or more agree
   /// - least times of as many timing windows, two or more: the 95 % interval of a ratio of sums,
   ///   from pairs of windows, by Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6)
-  /// - neither: low is the reference's least sample divided by the variant's largest, high the
-  ///   reference's largest divided by the variant's least
+  /// - neither: low = r.least / v.largest, high = r.largest / v.least
   double low = 0;
   double high = 0;
   double percent = 0;         ///< improvement 100 (1 - 1/S), from the unrounded S

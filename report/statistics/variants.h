@@ -20,8 +20,9 @@ inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "ch
 /// which solvers are dense.
 inline constexpr std::array<std::string_view, 2> dense_families{"lapack", "eigen"};
 
-/// Formulation that a speed-up is relative to where its table names no other reference, such as
-/// truck_global, the fastest that is_reference() allows, or the same analysis on one thread.
+/// The usual reference: speed-ups are relative to this formulation unless their table names another
+/// reference. Others are truck_global, the fastest formulation that is_reference() allows, and the
+/// same analysis on one thread.
 inline constexpr std::string_view usual_reference = "global_automatic_klu";
 
 /// One of the paper's analyses.
@@ -69,8 +70,8 @@ std::string_view setting(std::string_view id, std::string_view name);
 /// Returns the id without a setting.
 std::string without_setting(std::string id, const std::string& name);
 
-/// Tell whether a formulation stands next to a peer, or next to any peer of a record, in the table
-/// of peers: the peer's guess is the only setting in its id.
+/// Tell whether the table of peers shows a formulation next to a peer, or next to any peer of a
+/// record: whether the only setting in its id is the peer's guess.
 bool is_beside(const Peer& peer, std::string_view id);
 bool is_beside_peers(const Record& record, std::string_view id);
 

@@ -83,9 +83,10 @@ std::string stop_of(const Configuration& c) {
   return text.empty() ? sentence("costs.usual_stop") : text;
 }
 
-/// Adds the rows of a case: the usual reference with each guess and Jacobian update, and two
-/// speed-ups. One is relative to the same with all of the paper's settings. The other is relative
-/// to the same with the paper's guess and update, at the stop that is fastest within the accuracy.
+/// Adds the rows of a case: the usual reference with each guess and Jacobian update, and its
+/// speed-ups relative to the usual reference
+/// - with all of the paper's settings
+/// - with the paper's guess and update, and the end of steps that is fastest within the accuracy
 void add_case(Table& table, const SeriesKey& series, const Points& points) {
   const NamedPoint* paper = nullptr;
   for (const NamedPoint* point : points)
@@ -124,8 +125,8 @@ Table guesses(const Record& record) {
   return table;
 }
 
-/// Returns the short section, on the last case. It tells what the tightest accuracy costs that the
-/// usual reference reaches as well, and what the loosest would save.
+/// Returns the short section, on the last case. It tells what a step takes at the tightest accuracy
+/// that the usual reference reaches, too, and what the loosest accuracy would save.
 Section accuracy_front(const Record& record) {
   const SeriesKey series = drawn_series(record).back();
   const Points points = solving_every_instant(points_of(record, series));

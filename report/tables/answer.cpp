@@ -1,6 +1,6 @@
 // The answer of the benchmark: what the paper found, what this record says of it, and the best
-// formulations of one thread. *Like for like* means: compared with the fastest global reference
-// that has the same guess and tolerance.
+// formulations of one thread. *Like for like* means: compared with reference_like(), the fastest
+// global reference with the same guess, iterations and tolerance.
 #include <algorithm>
 #include <array>
 
@@ -12,8 +12,8 @@
 namespace desmo::report {
 namespace {
 
-/// Tells whether a formulation has, apart from settings of its iteration, the one setting `kind`,
-/// "lanes" or "segments"; for "" none.
+/// Tells whether a formulation has one setting apart from those of its iteration, and that is
+/// `kind`: "lanes" or "segments". If `kind` is "", tells whether it has none.
 bool is_side_by_side(const Configuration& c, std::string_view kind) {
   if (kind.empty()) return c.has_papers_algorithm();
   return c.others.size() == 1 && c.others.front().starts_with(std::string(kind) + ":");
@@ -23,9 +23,9 @@ bool has_other_iteration(const std::optional<Configuration>& c) {
   return c && c->has_papers_algorithm() && !c->is_papers();
 }
 
-/// Returns the last case, which is the truck where both cases were measured. Its size is the
-/// largest at which other settings of the iteration than the paper's were measured, or else its
-/// largest. Returns an empty name where there is no candidate.
+/// Returns the last case, which is the truck where both cases were measured, at the largest size at
+/// which settings of the iteration other than the paper's were measured. Where there is no such
+/// size, it is the case's largest. Returns an empty name where there is no candidate.
 CaseSize in_front(const Record& record) {
   if (record.candidates.empty()) return {};
   const CaseSize& last = record.candidates.rbegin()->first;
@@ -174,8 +174,8 @@ TextValues what_gains(const Record& record) {
   return values;
 }
 
-/// Returns the least number of repetitions of a candidate with a time, of all sizes of the case in
-/// front; 0 where there is no time.
+/// Returns the least number of repetitions of the candidates that have a time, at all sizes of the
+/// case in front; 0 where none has.
 std::size_t least_repetitions(const Record& record) {
   const std::string name = in_front(record).case_name;
   std::size_t least = 0;

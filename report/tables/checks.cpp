@@ -33,9 +33,10 @@ struct Price {
 /// Tells whether a time has too few repetitions for a difference of two times.
 bool is_of_few(const Measured& time) { return time.seconds && !time.seconds->has_interval(); }
 
-/// Returns the price of a step from all timing windows except for the first, in which checks are
-/// prepared. The price of the start is what the first window costs in addition to that of its
-/// steps. The price is empty unless both times have as many windows, two or more.
+/// Returns the price of a checked run. Checks are prepared in the first timing window, so the price
+/// of a step is taken from all other windows. The price of the start is what checking adds to the
+/// first window, less what it adds to another one. Returns an empty price unless both times have as
+/// many windows, two or more.
 Price price_of(const Record& record, const Measured& bare, const Measured& checked) {
   if (!bare.seconds || !checked.seconds) return {};
   const std::vector<double>&without = bare.seconds->windows, &with = checked.seconds->windows;

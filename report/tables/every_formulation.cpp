@@ -80,7 +80,8 @@ Section every_formulation(const Record& record) {
 
 namespace {
 
-/// Key of a row, in the order of rows: the analysis is the id without threads and clock.
+/// Key by which rows are sorted: coordinates, request ("everything" for none), analysis, threads.
+/// The analysis is the id without threads, clock and request.
 using Place = std::tuple<std::int64_t, std::string, std::string, std::int64_t>;
 
 /// Returns the sort key of a candidate's row. Reads the number of threads from the id, since a

@@ -12,7 +12,8 @@ namespace {
 /// Our formulations with a peer's guess, at its case and size.
 struct Ours {
   std::vector<CandidateKey> all;
-  std::optional<CandidateKey> global, fastest;  // the fastest global formulation; fastest of all
+  std::optional<CandidateKey> global;   ///< the fastest global formulation
+  std::optional<CandidateKey> fastest;  ///< the fastest of all
 };
 
 Ours ours_with(const Record& record, const Peer& peer) {
@@ -60,8 +61,8 @@ std::string found(const Record& record, const std::string& case_name, const Peer
   return sentence("peers.found", words);
 }
 
-/// Returns the entry of the ratio of a time to ours, "6.10 [5.90, 6.32]", quantities {ratio, low,
-/// high}. key: candidate or peer that has the time.
+/// Returns the entry of the ratio time / our time, "6.10 [5.90, 6.32]", quantities {ratio, low,
+/// high}. key: candidate or peer that has the time; ours: candidate that has our time.
 Entry peer_ratio_entry(const Record& record, const std::optional<CandidateKey>& ours,
                        const CandidateKey& key, const Measured& time) {
   if (ours == key) return reference_entry();

@@ -13,8 +13,8 @@ Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
   return composed("{} of {}", {std::to_string(solved), std::to_string(all)});
 }
 
-/// Returns the row of a request; for null the row of the candidate that solves everything by the
-/// formulation of `like`.
+/// Returns the row of a request. If `request` is null, returns the row of the candidate that solves
+/// everything by the formulation of `like`; else `like` is the request itself.
 std::vector<Entry> row_of(const Record& record, const MeasuredRequest& like,
                           const MeasuredRequest* request) {
   const auto whole = record.candidates.find(like.key);

@@ -19,7 +19,7 @@ struct Claimed {
 };
 constexpr std::array<Claimed, 5> claimed{{{0, 1}, {2, 3}, {2, 4}, {2, 5}, {2, 6}}};
 
-/// A value of one setting; all others are the paper's.
+/// A value of one setting, while all other settings are the paper's.
 struct Variation {
   std::string what, value;  ///< words for the setting and its value
   double step;              ///< time between two instants [s]

@@ -23,8 +23,8 @@ double zero_between(const SizeOfBoth& a, const SizeOfBoth& b) {
 /// - 66: number n of unknowns from which on sparse matrices are faster, by interpolation of log t
 ///   as a function of log n
 /// - 61, 76: the size before the first break-even, and the size after the last one
-/// The entry has words where the sparse curve is faster at every size, or the dense one at the
-/// largest.
+/// The entry has words where the sparse curve is faster at every size, or where the dense curve is
+/// faster at the largest size.
 Entry break_even_entry(const Curve& dense, const Curve& sparse) {
   const std::vector<SizeOfBoth> all = sizes_of_both(dense, sparse);
   if (all.empty()) return note_entry(missing_mark);

@@ -58,8 +58,8 @@ Table time_split(const Record& record);
 /// points at its own step.
 std::vector<Section> accuracy_sections(const Record& record);
 
-/// Returns the data of the work–precision figure of a motion, fastest first: of the configurations
-/// solved those that the figure draws, and all that failed.
+/// Returns the data of the work–precision figure of a motion: the solved configurations that the
+/// figure draws, fastest first, then all that failed.
 Table work_precision(const Record& record, const SeriesKey& series);
 
 /// Shows the paper's speed-ups with other steps, tolerances and guesses.

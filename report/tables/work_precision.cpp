@@ -24,8 +24,8 @@ double seconds_of(const NamedPoint* point) {
 }
 
 /// Returns the points that are drawn. points: the fastest first.
-/// - solved ones with a smaller error than all faster ones of the same formulation and scalar;
-///   those that interpolate are compared among themselves
+/// - solved ones whose error is smaller than that of every faster one of the same formulation and
+///   scalar; points that interpolate are compared with such points only
 /// - solved ones with the paper's settings
 /// - all that failed
 Points drawn(Points points) {

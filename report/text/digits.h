@@ -15,7 +15,7 @@ struct DigitStyle {
 };
 
 /// Returns the form in which `value` shows `significant` digits: 7.100, 0.6070, 0.0008123. It is
-/// scientific where the rounded magnitude is below 1e-6, unless it is 0, or 1e7 and more.
+/// scientific for a rounded magnitude of 1e7 or more, and for one below 1e-6 that is not 0.
 DigitStyle significant_digits(double value, int significant);
 
 /// Returns the form of a speed-up: two decimals where 0.1 ≤ value < 100, else three significant
@@ -25,8 +25,7 @@ DigitStyle ratio_digits(double value);
 /// Writes a value with one significant digit, its order of magnitude: 30, 0.8, 0.004.
 std::string write_order(double value);
 
-/// Writes a finite value in decimal digits, which are a JSON number in every locale, and never
-/// "-0".
+/// Writes a finite value as a JSON number, whatever the locale. What rounds to 0 has no minus sign.
 std::string write(double value, DigitStyle style);
 
 /// Writes the fewest digits that tell the value from every other double: 0.01, 1e-10.

@@ -14,8 +14,8 @@ Entry composed(std::string_view form, std::vector<std::string> digits, std::stri
   return {std::move(shown), std::move(digits), std::move(note)};
 }
 
-// A text in place of a number has no digits. A reference is no mark: designs draw it as a line, or
-// not at all.
+// A text in place of a number has no `digits`; a verdict has some, which may all be "". A reference
+// is no mark: designs draw it as a line, or not at all.
 bool Table::has_marks() const {
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i)

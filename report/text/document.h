@@ -17,8 +17,8 @@ inline constexpr const char* not_run_mark = "not run";
 inline constexpr const char* inside_mark = "in";    ///< the paper's value is inside our interval
 inline constexpr const char* outside_mark = "out";  ///< the paper's value is outside of it
 
-/// An entry of a table: a text, or numbers with a note. The numbers in `shown` are those of
-/// `digits`, so that Markdown and JSON have the same.
+/// An entry of a table: a text, or numbers with a note. The numbers in `shown` have the characters
+/// of `digits`, so that Markdown and JSON have the same numbers.
 struct Entry {
   // A text alone.
   Entry(std::string text) : shown(std::move(text)) {}  // NOLINT
@@ -29,7 +29,7 @@ struct Entry {
       : shown(std::move(text)), digits(std::move(numbers)), note(std::move(reservation)) {}
 
   std::string shown;  ///< text for people: all of the entry
-  /// Numbers in the order of Column::quantities; "" or left out at the end: there is none.
+  /// Numbers in the order of Column::quantities. A missing number is "", or, at the end, left out.
   std::vector<std::string> digits;
   std::string note;  ///< text in place of a number (failed_mark ...), or a reservation about it
 
@@ -56,8 +56,9 @@ struct Column {
 };
 
 struct Table {
-  /// Tells whether a figure of the table would have a mark: an entry with numbers, or a verdict, in
-  /// the column `drawn`, that is not the reference.
+  /// Tells whether a figure of the table would have a mark. Marks are the entries of the column
+  /// `drawn`, or else of all columns of numbers, that have numbers or a verdict (extremes) and are
+  /// not the reference.
   bool has_marks() const;
 
   std::string name = {};   ///< lower case, unique in the document: the name of the CSV file

@@ -32,9 +32,9 @@ std::string in_a_row(const std::vector<std::string>& words);
 /// Returns the sentence "block.word" with its placeholders filled.
 std::string sentence(std::string_view name, const TextValues& values = {});
 
-/// Returns a table without rows, with what a block says: name (else the block's own), title,
-/// columns, detail, notes, and of its figure: design, column of its marks (`drawn`) and caption.
-/// Leaves out notes that are empty once placeholders are filled.
+/// Returns a table without rows. Sets what a block says: name (without one, that of the block),
+/// title, columns, notes, whether it is a detail; and of its figure design, caption and the column
+/// of its marks (`drawn`). Leaves out notes that are empty once placeholders are filled.
 Table headed_table(std::string_view block, const TextValues& values = {});
 
 /// Returns a section that has the tables, and the title, paragraphs, definitions and numbers of a

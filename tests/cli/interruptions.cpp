@@ -73,6 +73,14 @@ TEST_F(Cli, WritesThroughLinksAndKeepsPermissions) {
   EXPECT_TRUE(fs::is_symlink(out("lost.csv")));
 }
 
+TEST_F(Cli, WritesIntoThePipeThatALinkLeadsTo) {
+  EXPECT_EQ(shell("{ " DESMO_CLI
+                  " solve slider_crank --quiet -o /dev/stdout; echo $? >code; } | cat >piped.csv"),
+            0);
+  EXPECT_EQ(text_of(folder_ / "code"), "0\n") << err_;
+  EXPECT_TRUE(text_of(folder_ / "piped.csv").starts_with("t [s],"));
+}
+
 TEST_F(Cli, EndsQuietlyWhenNobodyReads) {
   EXPECT_EQ(shell("{ " DESMO_CLI " solve four_bar:40 --quiet; echo $? >code; } | head -n 1"), 0);
   EXPECT_EQ(text_of(folder_ / "code"), "141\n");

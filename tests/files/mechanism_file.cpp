@@ -73,6 +73,24 @@ TEST(MechanismFile, DirectionsAreDefinedInAnyOrder) {
   EXPECT_EQ(d.coordinates[1].axis, 2);
 }
 
+/// The product of the two lines' lengths is below the least double.
+TEST(MechanismFile, NormalsOfShortLinesHaveRemainders) {
+  const Mechanism d = parse_mechanism(R"({
+    "format": "desmo-mechanism", "version": 1, "name": "short", "dimension": 3,
+    "points": {"A": [0, 0, 0], "B": [3e-200, 1e-200, 0], "C": [0, 1e-200, 7e-200]},
+    "vectors": {"n": {"normal": [["A", "B"], ["A", "C"]]}},
+    "ground": {"points": ["A", "C"], "vectors": ["n"]},
+    "bodies": {"crank": {"points": ["A", "B"], "vectors": ["n"]}},
+    "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"],
+                "vectors": ["n"]}]})",
+                                      "m.json");
+  EXPECT_NEAR(d.vectors[0].direction[0], 7 / std::sqrt(499), 1e-15);
+  for (const Remainder& r : d.vectors[0].remainder) {
+    EXPECT_LE(std::abs(r.correction), 0x1p-53);
+    EXPECT_LT(r.radius, 1e-29);
+  }
+}
+
 TEST(MechanismFile, JointsWithoutNamesAreToldApart) {
   const std::string joint = R"({"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]})";
   const Mechanism d = parse_mechanism(replaced(slider_crank, joint, joint + ", " + joint), "");

@@ -110,6 +110,11 @@ TEST_F(Program, WritesASiteOfAllRecords) {
   EXPECT_EQ(report(command), 65);
   EXPECT_CONTAINS(err_, "history.json: /schema: only schema 2 is read");
   EXPECT_FALSE(fs::exists(out));
+  write("results/records/one-paper.json.gz", origins_record().dump());
+  EXPECT_EQ(report(command), 65);
+  EXPECT_CONTAINS(err_, "records: has two files of the record one-paper; ");
+  EXPECT_EQ(report("site " + std::string(300, 'x') + " --out " + out.string()), 65);
+  EXPECT_CONTAINS(err_, "records: there is no folder");
 }
 
 }  // namespace

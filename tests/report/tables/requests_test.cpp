@@ -100,6 +100,9 @@ TEST(Requests, AreCheckedWhenRead) {
              {"/paper/requests/-", json["paper"]["requests"][2],
               "/paper/requests/6: the request wheel_centre of block_symbolic_inlined is given "
               "twice"}});
+  Json without_level = json;
+  request_of(without_level, "block_symbolic_inlined", "axle")["verification"].erase("acceleration");
+  EXPECT_CONTAINS(complaint(without_level), "/verification: the key 'acceleration' is missing");
   json["paper"]["requests"][0].erase("verification");
   EXPECT_CONTAINS(complaint(json), "'verification' is missing");
 }
