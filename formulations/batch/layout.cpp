@@ -14,8 +14,8 @@ namespace {
 
 using Places = std::array<int, quad>;
 
-/// Returns the places of a number in lanes from first_lane on. Lanes from `used` on have the place
-/// of the last one before.
+/// Returns the places of a number in lanes from first_lane on. Lanes from `used` on repeat the
+/// place of lane used − 1.
 template <std::size_t lanes>
 std::array<int, lanes> places_of(int number, const LanePlaces& places, std::size_t first_lane,
                                  std::size_t used) {

@@ -89,9 +89,9 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
   return total;
 }
 
-/// Continues all lanes at once, as in a motion that takes a unit of time. It ends at the positions
-/// from which the first instants of the segments are solved. Returns false where a lane would need
-/// shorter steps or cannot be continued.
+/// Moves all lanes at once from the first instant of the motion to the beginnings of their
+/// segments, by continuation in equal steps. Rates are those of a way that takes a unit of time.
+/// Returns false where a lane would need shorter steps or cannot be continued.
 bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
   int steps = 1;
   for (int l = 0; l < lanes_; ++l) {

@@ -13,8 +13,8 @@ namespace desmo {
 
 namespace {
 
-/// Minimum work of a segment: moving unknowns times instants. It takes some ten times as long as a
-/// thread takes to begin.
+/// Minimum work of a segment (≥): moving unknowns times instants. Work of this size takes some ten
+/// times as long as a thread takes to begin.
 constexpr long min_work = 100'000;
 
 long moving_unknowns(const TimeStepping& f) {
@@ -108,8 +108,8 @@ class SegmentObserver final : public Observer {
     waiting_.clear();
   }
 
-  /// Number of instants handed on together: waiting for another thread takes as long as solving
-  /// some.
+  /// Number of instants for which a worker may borrow memory at once. They are handed on together:
+  /// waiting for another thread takes as long as solving some.
   static constexpr int handed_on_together = 32;
 
   Observer* const own_;
