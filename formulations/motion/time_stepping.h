@@ -25,9 +25,9 @@ namespace desmo {
 /// in single_instants.cpp.
 class TimeStepping final : public Formulation {
  public:
-  /// settings: the same that the parts were made with. executor: solves the segments of a motion at
-  /// once; where they do not meet, or without it, steps solve the motion. The model outlives this
-  /// object.
+  /// settings: the same that the parts were made with. executor: solves motions in segments; null:
+  /// all motions are solved step by step, as are those whose segments do not meet. The model
+  /// outlives this object.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings,
                std::unique_ptr<SegmentExecutor> executor = nullptr);
 
@@ -35,8 +35,8 @@ class TimeStepping final : public Formulation {
 
   /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
   /// move linearly from the positions q to where they are at t. q: Model::coordinates() values or
-  /// more, solved at another instant. A step goes on from there, in sub-steps where it has to.
-  /// Returns false where the position cannot be reached; the next step then assembles.
+  /// more, solved at another instant. The next step goes on from the position at t. Returns false
+  /// where the position cannot be reached; the next step then assembles.
   bool start_at(std::span<const double> q, double t);
 
   /// Runs like run() without a stride, from the position that start_at() reached. Returns nothing
@@ -118,7 +118,7 @@ class TimeStepping final : public Formulation {
   std::optional<ReadCoordinates> read_outside_;
   OutputWriter output_;        // writes what no part delivers
   SolvedState now_, before_;   // the instant solved last, and the one before it
-  std::vector<double> start_;  // positions from which a step is tried again
+  std::vector<double> start_;  // positions at the start of a step that is taken in sub-steps
   Failure failure_;
   bool assembled_ = false;  // now_ has positions at its time, whatever is known of rates
   std::unique_ptr<SegmentExecutor> executor_;

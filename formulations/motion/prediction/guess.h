@@ -17,18 +17,19 @@ std::string_view guess_name(Guess guess);
 /// Returns the names of all guesses, in the order of Guess.
 std::vector<std::string_view> guess_names();
 
-/// Limit of the ratio of a step to the one before it (<). At and above it, earlier instants do not
-/// predict the step. At 4 the quintic magnifies errors of their positions 10,000 times, and at 10 a
-/// million times.
+/// Limit of the ratio of a step to the one before it (<). At and above it, the last instant alone
+/// predicts the step. At 4 the quintic of hermite5 magnifies errors of positions 10,000 times, and
+/// at 10 a million times.
 inline constexpr double max_step_growth = 4;
 
-/// Knowledge of a predictor about the two instants before the one sought.
+/// Knowledge of a predictor about the last instant and the one before it.
 struct StepHistory {
-  double h;                             ///< time from the last instant to the predicted one [s]
-  double h_before;                      ///< time from the instant before to the last one [s]
-  std::optional<Level> last, before{};  ///< levels to which they were solved; nothing: unknown
+  double h;         ///< time from the last instant to the predicted one [s]
+  double h_before;  ///< time from the instant before to the last one [s]
+  /// levels to which the last instant and the one before were solved; nothing: unknown
+  std::optional<Level> last, before{};
 
-  /// Returns the history of coordinates that are solved up to this level only.
+  /// Returns the history of coordinates that are solved no higher than this level.
   StepHistory up_to(Level level) const {
     if (level == Level::acceleration) return *this;
     const auto cut = [&](std::optional<Level> l) { return l ? std::min(*l, level) : l; };
@@ -37,8 +38,9 @@ struct StepHistory {
 };
 
 /// Returns the best guess that the history allows, in the order previous, linear, quadratic,
-/// hermite3, hermite5, and at most the one wanted. Two instants much closer together than the step
-/// is long count as one: their difference is mostly rounding.
+/// hermite3, hermite5, and at most the one wanted. Only `last` counts where the two instants are
+/// much closer together than the step is long (max_step_growth): their difference is mostly
+/// rounding.
 Guess best_guess(Guess wanted, const StepHistory& history);
 
 /// A guess as a weighted sum. The weights are computed once a step; each coordinate then takes a

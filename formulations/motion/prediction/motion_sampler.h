@@ -26,7 +26,9 @@ PlacedMotions in_order(std::vector<const Motion*> motions);
 struct SampleStrides {
   int of_place = 1, of_time = 1;  ///< at least one of them is 1
 };
+/// Lays the samples of a motion at all times next to each other, place after place.
 inline SampleStrides side_by_side(int times) { return {.of_place = times}; }
+/// Lays the samples of all motions at one time next to each other, in a row of this length.
 inline SampleStrides in_rows(int of_row) { return {.of_time = of_row}; }
 
 /// Samples several motions at one time or at several. A term a sin(ωt + φ) of a harmonic sum is
@@ -43,18 +45,17 @@ class MotionSampler {
   void operator()(std::span<const double> times, double* z, double* zd, double* zdd);
 
  private:
-  /// The terms of one frequency in four motions, a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt.
-  /// frequency: index of ω. The factors are also stored multiplied by ω and by ω². A motion without
-  /// the frequency has zeros.
+  /// The terms of one angular frequency ω in four motions: of_sine sin ωt + of_cosine cos ωt. The
+  /// factors are also stored multiplied by ω and by ω². A motion without the frequency has zeros.
   struct Term {
-    int frequency;
+    int frequency;  // index of ω in frequencies_
     std::array<double, 4> of_sine{}, of_cosine{}, w_of_sine{}, w_of_cosine{}, w2_of_sine{},
         w2_of_cosine{};
   };
   /// Four motions, of the same frequencies where possible. Where fewer are left, the last is
   /// repeated.
   struct Sums {
-    int size;
+    int size;  // number of motions without the repeated ones
     std::array<int, 4> place;
     bool in_order;  // the four places follow each other
     std::array<double, 4> mean;

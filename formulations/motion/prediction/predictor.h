@@ -21,9 +21,9 @@ class Predictor {
   }
 
   /// Writes the predicted coordinates into q.
-  /// - last, before: the two instants before the one sought; q may be the q of either. The
-  ///   predictor keeps what it needs of earlier instants itself, each from the call in which it was
-  ///   `last`.
+  /// - last, before: the last instant and the one before it; q may be the q of either
+  /// For adams8 the predictor itself keeps rates of earlier instants: it copies those of `last` in
+  /// every call.
   template <class States>
   void operator()(const StepHistory& history, const States& last, const States& before, double* q) {
     if (history_) {
