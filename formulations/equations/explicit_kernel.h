@@ -11,8 +11,8 @@ namespace desmo {
 
 /// Limits that a solution must satisfy.
 struct ExplicitLimits {
-  double tolerance2;  ///< limit of ‖Φ‖₂² of the part's equations, each times its weight
-  /// limit of ‖Φ‖₂² of a core: smaller, since later unknowns amplify its error
+  double tolerance2;  ///< limit of ‖Φ‖₂² of the part's equations, each times its weight (<)
+  /// limit of ‖Φ‖₂² of a core (<): smaller, since later unknowns amplify its error
   double core_tolerance2;
   int max_iterations;  ///< limit of Newton–Raphson iterations on a core
 };
@@ -47,8 +47,8 @@ struct ExplicitBinding {
   const T* f;       ///< values that ExplicitKernel::fold makes of c
   const T* branch;  ///< ±1: sign of each square root
   const T* w;       ///< 1/magnitude of each equation
-  /// for each angle anchor_size values of a nearby angle, from which sine and cosine are cheap;
-  /// zeros: none yet
+  /// for each unwrapped angle a nearby one with its sine and cosine (anchor_size values), from
+  /// which turned_angle() computes with short polynomials; overwritten; zeros: none yet
   T* anchors;
   ExplicitLimits limits;
 };
