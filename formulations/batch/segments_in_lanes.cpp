@@ -79,11 +79,12 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
     total.iterations += static_cast<long>(step.iterations) * lanes_;
     total.updates += step.updates * lanes_;
     deliver(grid, length, i, request.level, step, observer, total);
-    if (total.stopped) return total;
+    if (total.stopped) break;
   }
+  total.residual = std::sqrt(max_residual2);
+  if (total.stopped) return total;
   if (!meet()) return {};
   total.time = grid.time(grid.instants - 1);
-  total.residual = std::sqrt(max_residual2);
   for (std::size_t k = 0; k < state.q.size(); ++k)
     copy_number(state_.now(), (k + 1) * lanes_ - 1, state, k);
   return total;
@@ -177,9 +178,10 @@ SegmentsInLanes::StepInLanes SegmentsInLanes::solve() {
 /// Solves one lane alone. A lane that the code has refused starts from its last position; others
 /// start from the prediction.
 void SegmentsInLanes::solve_lane(PartInLanes& part, int lane, StepInLanes& step) {
-  for (std::size_t k = 0; k < alone_.q.size(); ++k)
+  for (std::size_t k = 0; k < alone_.q.size(); ++k) {
     copy_number(state_.now(), k * lanes_ + lane, alone_, k);
-  for (const int k : part.unknowns) last_alone_[k] = state_.before().q[k * lanes_ + lane];
+    last_alone_[k] = state_.before().q[k * lanes_ + lane];
+  }
   if (part.together)
     for (const int k : part.unknowns) alone_.q[k] = last_alone_[k];
   const PartResult r = part.members[lane]->solve(alone_, last_alone_, Level::acceleration);

@@ -169,6 +169,7 @@ std::optional<Summary> SegmentsOnThreads::run(const TimeGrid& grid, const Reques
     whole.instants += s.total->instants;
     whole.iterations += s.total->iterations;
     whole.updates += s.total->updates;
+    whole.sub_steps += s.total->sub_steps;
     whole.residual = std::max(whole.residual, s.total->residual);
   }
   whole.time = grid.time(grid.instants - 1);
