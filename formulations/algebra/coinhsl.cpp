@@ -39,8 +39,7 @@ std::string version_of(void* library) {
           reinterpret_cast<void (*)(int*, int*, int*)>(::dlsym(library, "LIBHSL_version"))) {
     int major = 0, minor = 0, patch = 0;
     tell(&major, &minor, &patch);
-    version +=
-        " " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+    version += " " + version_text(major, minor, patch);
   }
   return version;
 }

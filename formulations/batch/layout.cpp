@@ -148,13 +148,13 @@ void Scatter::add(std::vector<int> numbers, const LanePlaces& places, std::size_
       ++ranges.back().size;
     else
       ranges.push_back({1, offsets_.size(), place});
-    offsets_.push_back(static_cast<int>(n * lanes_ + first_lane));
+    offsets_.push_back(static_cast<int>(n * places.size() + first_lane));
   }
 }
 
 Scatter::Scatter(std::span<const int> which, const LanePlaces& places, std::size_t used)
-    : lanes_(places.size()), used_(used) {
-  const bool is_wide = lanes_ == wide && has_lanes(wide);
+    : used_(used) {
+  const bool is_wide = places.size() == wide && has_lanes(wide);
   const std::size_t together = is_wide ? used : quad;
   for (std::size_t first = 0; first < used; first += together) {
     const std::size_t end = std::min(first + together, used);

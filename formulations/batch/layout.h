@@ -98,7 +98,7 @@ class Scatter {
   std::vector<Range<quad>> quads_;
   std::vector<Range<1>> singles_;
   std::vector<int> offsets_;  // of each number in `from`, at the first lane of its range
-  std::size_t lanes_ = 0, used_ = 0;
+  std::size_t used_ = 0;
 };
 
 }  // namespace desmo

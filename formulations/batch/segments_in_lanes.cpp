@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "formulations/base/output_writer.h"
-#include "formulations/batch/layout.h"
 #include "formulations/motion/driver_continuation.h"
 #include "formulations/motion/prediction/driver_source.h"
 
@@ -16,7 +15,6 @@ namespace desmo {
 SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
                                  const Settings& settings, const KernelTable& table)
     : model_(model),
-      settings_(settings),
       lanes_(static_cast<int>(parts.size())),
       motions_(driver_motions(model), lanes_, side_by_side(lanes_)),
       residual2_(lanes_),
@@ -37,7 +35,7 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
     std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped));
   }
   std::ranges::sort(predicted);
-  state_ = BatchState(size, lanes_, settings_.guess, predicted, std::move(unwrapped));
+  state_ = BatchState(size, lanes_, settings.guess, predicted, std::move(unwrapped));
 }
 
 SegmentsInLanes::PartInLanes SegmentsInLanes::put_in_lanes(std::vector<Parts>& parts,

@@ -63,7 +63,6 @@ class SegmentsInLanes final : public SegmentExecutor {
                Observer& observer, Summary& total);
 
   const Model& model_;
-  const Settings settings_;
   const int lanes_;
   MotionSampler motions_;  // samples the drivers in lanes
   std::vector<PartInLanes> parts_;

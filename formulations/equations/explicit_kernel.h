@@ -21,19 +21,13 @@ struct ExplicitLimits {
 template <class T>
 using Mask = decltype(std::declval<T>() < std::declval<T>());
 
+/// Returns whether a mask is true in every lane.
 template <class M>
 bool all(const M& mask) {
   if constexpr (std::is_same_v<M, bool>)
     return mask;
   else
     return all_of(mask);
-}
-template <class M>
-bool any(const M& mask) {
-  if constexpr (std::is_same_v<M, bool>)
-    return mask;
-  else
-    return any_of(mask);
 }
 
 /// Number of values in an anchor: an angle, its sine and its cosine.

@@ -65,9 +65,6 @@ class NewtonSolverOf final : public Part {
         start_(pattern_.n),
         frames_(std::move(frames)) {}
 
-  NewtonSolverOf(const NewtonSolverOf&) = delete;
-  NewtonSolverOf& operator=(const NewtonSolverOf&) = delete;
-
   void forget() override { frames_.forget(); }
   void end_assembly() override { frames_.end_assembly(); }
 

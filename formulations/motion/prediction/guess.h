@@ -54,20 +54,20 @@ class Extrapolation {
   /// Writes the predicted coordinates of some ranges into q, which may be the q of `last` or
   /// `before`. last, before: states in single numbers or in lanes; only what the guess needs of
   /// them is read.
-  template <class States, class T>
+  template <class States>
   void operator()(std::span<const IndexRange> ranges, const States& last, const States& before,
-                  T* q) const;
+                  double* q) const;
 
  private:
   Guess guess_;
   double w_q_ = 0, w_v1_ = 0, w_a1_ = 0, w_v0_ = 0, w_a0_ = 0;
 };
 
-template <class States, class T>
+template <class States>
 void Extrapolation::operator()(std::span<const IndexRange> ranges, const States& last,
-                               const States& before, T* q) const {
-  const T *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
-  const T *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
+                               const States& before, double* q) const {
+  const double *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
+  const double *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
   const double w_q = w_q_, w_v1 = w_v1_, w_a1 = w_a1_, w_v0 = w_v0_, w_a0 = w_a0_;
   // Many ranges are single coordinates, for which a loop on wide registers takes long to begin.
   const auto write = [&](auto expected) {
