@@ -181,7 +181,8 @@ class BatchMaker {
   const int lanes_;
   const Guess guess_;
   const KernelTable& table_;
-  std::vector<int> range_of_;     // range of each part, by type_ends
+  // number of the range of each part; a range has parts of one type that do not need each other
+  std::vector<int> range_of_;
   std::vector<StateKind> kinds_;  // origin of each position in the state
   std::vector<DefinedPart> result_;
 };

@@ -79,8 +79,8 @@ struct SineCosine {
   T sine, cosine;
 };
 
-/// Returns sine and cosine of an angle [rad], NaN at and beyond ±max_reduced. Calls for both of one
-/// angle share their common work.
+/// Returns sine and cosine of an angle [rad], NaN at and beyond ±max_reduced. Where code calls
+/// sin() and cos() of one angle, the compiler evaluates their common part once.
 template <class T>
 DESMO_INLINE SineCosine<T> sine_cosine(const T& far_or_near) {
   using std::abs, std::floor, std::nearbyint;

@@ -46,9 +46,9 @@ class TimeStepping final : public Formulation {
 
   /// Solves an instant like step(), with driver values from a row instead of the motions. Takes at
   /// most max_sub_steps sub-steps, in which drivers move linearly from their last positions to the
-  /// row. Takes nothing from the heap unless it assembles or follows a run(). So a failure names
-  /// the group at most, and no constraint. The row is not checked. LiveRun checks it, and can prove
-  /// the result.
+  /// row. Takes nothing from the heap unless it assembles or follows a run(). So a failure names no
+  /// constraint, and the group only where the failed part has a single one. The row is not checked.
+  /// LiveRun checks it, and can prove the result.
   Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps);
 
   /// Returns to positions q that were solved before, at time t [s]; the next row starts there.

@@ -74,7 +74,8 @@ class MotionSampler {
   SampleStrides strides_;
   std::vector<int> others_;  // positions of motions that are no harmonic sum
   std::vector<Sums> sums_;
-  // distinct [rad/s]; for one time, padded with zeros to a multiple of four
+  // distinct angular frequencies [rad/s]; where calls have one time, padded with zeros to a
+  // multiple of four
   std::vector<double> frequencies_;
   std::vector<double> sines_, cosines_;  // sine and cosine of ωt: by frequency, then time
 };

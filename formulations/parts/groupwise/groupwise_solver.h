@@ -23,7 +23,7 @@ class GroupwiseSolver : public ReferenceSolver<S> {
   /// set_homotopy().
   void set_homotopy(double share);
   /// Makes one correction by Newton's method, group after group. Returns its largest component
-  /// relative to the nominal magnitude.
+  /// relative to the nominal magnitude; NaN or infinity where a group is singular.
   double correct_positions();
 
   /// Solves the positions at time t [s] as accurately as S allows, from the present ones. Throws
