@@ -76,8 +76,8 @@ CoinHsl load_coinhsl(const char* file) {
   std::string tried;
   for (const char* name : usual_names) {
     if (void* const library = open(name)) return use(library, name);
-    // The loader's message begins with the name asked for where no such file is installed; else
-    // with the file that cannot be loaded, or the library that it lacks.
+    // Where no such file is installed, the loader's message begins with the name asked for.
+    // Otherwise it begins with the file that cannot be loaded, or with the library that it lacks.
     const std::string message = loader_message();
     if (!message.starts_with(std::string(name) + ":"))
       return absent("what was found cannot be loaded: " + message, true);

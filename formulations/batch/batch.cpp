@@ -27,9 +27,9 @@ std::vector<int> places_of(std::span<const ExplicitPart* const> subsystem) {
   return {states.begin(), states.end()};
 }
 
-/// Returns, for each of `states`, the positions in the state that the first subsystem uses, the
-/// position that another subsystem uses in its place. Returns nothing where the other one uses two
-/// different positions in place of one.
+/// Returns the position in the state that another subsystem uses in place of each of `states`,
+/// those of the first subsystem. Returns nothing where the other one uses two positions in place of
+/// one.
 std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> other,
                                           std::span<const ExplicitPart* const> first,
                                           std::span<const int> states) {

@@ -135,14 +135,14 @@ class Batch {
   LaneValues residuals2_;  // ‖Φ‖₂² of each lane, max_lanes values for each part
   Step step_;
   bool assembled_ = false;  // every part has found a position since forget()
-  // kept_: state_ has an instant solved since forget(); predicted_: the step starts from a
-  // prediction; is_driven_: begin_step() has written the step's drivers to state_
-  bool kept_ = false, predicted_ = false, is_driven_ = false;
+  bool kept_ = false;       // state_ has an instant solved since forget()
+  bool predicted_ = false;  // the step starts from a prediction
+  bool is_driven_ = false;  // begin_step() has written the step's drivers to state_
 };
 
 /// Returns whether two subsystems can be solved in lanes of one batch. Their parts are of the same
-/// types in the same order, and inputs that are one coordinate in one subsystem are one coordinate
-/// in the other.
+/// types in the same order. Inputs that are one coordinate in one subsystem are one coordinate in
+/// the other.
 bool are_alike(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b);
 
 }  // namespace desmo

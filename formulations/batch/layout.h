@@ -92,8 +92,8 @@ class Scatter {
   void scatter_range(const Range<1>& range, const double* from, double* to) const;
 
   // Eight lanes on registers that hold them are scattered together (wides_), others by fours
-  // (quads_). Numbers that not all of these lanes have are scattered lane by lane (singles_), and
-  // so are all numbers of the last four where some are not used.
+  // (quads_). Numbers that not all of these lanes have are scattered lane by lane (singles_). So
+  // are all numbers of the last four lanes where some are not used.
   std::vector<Range<wide>> wides_;
   std::vector<Range<quad>> quads_;
   std::vector<Range<1>> singles_;

@@ -111,8 +111,9 @@ class BatchMaker {
 
   std::size_t calls(std::size_t parts) const { return (parts + lanes_ - 1) / lanes_; }
 
-  /// Returns whether batches of the first `together` subsystems, with the rest solved type by type,
-  /// take no more calls of kernels than all subsystems solved type by type.
+  /// Compares batches of the first `together` subsystems, with the rest solved type by type, with
+  /// solving all subsystems type by type. Returns whether the former takes no more calls of
+  /// kernels.
   bool gains(const std::vector<Positions>& subsystems, std::size_t together) const {
     if (together < 2 || kernels(subsystems.front()).empty()) return false;
     std::map<int, std::size_t> of_range;

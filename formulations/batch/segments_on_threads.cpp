@@ -59,8 +59,8 @@ struct Shared {
   std::atomic<bool> stopped{false};  // the observer has stopped the run
 };
 
-/// Hands instants of a segment on as those of the whole motion: to the thread's own observer, or
-/// to one that all share, several instants at a time.
+/// Hands instants of a segment on as those of the whole motion. They go to the thread's own
+/// observer or, several at a time, to one that all threads share.
 class SegmentObserver final : public Observer {
  public:
   SegmentObserver(Observer& all, int thread, Shared& shared, const TimeGrid& grid, int begin)

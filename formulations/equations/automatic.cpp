@@ -43,8 +43,8 @@ void pick(const std::array<int, N>& rows, const std::array<double, N>& all, doub
     if (rows[r] >= 0) to[rows[r]] = all[r];
 }
 
-/// Constraints of one kind, all of them whole or all of them cut: the part has every equation of a
-/// whole constraint, and some of a cut one.
+/// Constraints of one kind, all whole or all cut. The part has every equation of a whole
+/// constraint, and some of a cut one.
 template <class Kind>
 struct ObjectsOf : AutomaticEquations::Loops {
   struct Object {

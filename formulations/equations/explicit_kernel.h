@@ -41,8 +41,8 @@ struct ExplicitBinding {
   const T* f;       ///< values that ExplicitKernel::fold makes of c
   const T* branch;  ///< ±1: sign of each square root
   const T* w;       ///< 1/magnitude of each equation
-  /// for each unwrapped angle a nearby one with its sine and cosine (anchor_size values), from
-  /// which turned_angle() computes with short polynomials; overwritten; zeros: none yet
+  /// for each unwrapped angle a nearby one, its sine and its cosine (anchor_size values), which
+  /// turned_angle() reads and overwrites; zeros: none yet
   T* anchors;
   ExplicitLimits limits;
 };

@@ -7,9 +7,9 @@
 
 namespace desmo {
 
-// Kernels that are generated when desmo is built, by the set of mechanisms that they come from and,
-// for batches, the number of lanes. A type of group that occurs in the cases and in the library has
-// its kernels in the set of the cases. Kernels for 8 lanes exist only in builds with
+// Kernels that are generated when desmo is built. A function returns those of one set of mechanisms
+// and, for batches, of one number of lanes. A type of group that occurs in the cases and in the
+// library has its kernels in the set of the cases. Kernels for 8 lanes exist only in builds with
 // DESMO_WIDE_LANES. The functions return references and do nothing else: they may be compiled for
 // instructions that the caller's processor lacks.
 using FourLanes = std::integral_constant<int, 4>;

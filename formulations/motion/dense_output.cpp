@@ -27,7 +27,7 @@ Flow DenseOutput::observe(const Instant& solved) noexcept {
   return flow;
 }
 
-// The quintic at s, where 0 and 1 are the ends of an interval of h seconds, in Hermite's basis:
+// The quintic at s in Hermite's basis. 0 and 1 are the ends of an interval of h seconds:
 //   q = q₀ + H₅ (q₁ − q₀) + h (H₁ q̇₀ + H₄ q̇₁) + h² (H₂ q̈₀ + H₃ q̈₁),  d/dt = d/ds / h.
 // H₁ … H₅ and their first two derivatives are factored about their zeros at both ends, so that
 // nothing cancels there.

@@ -33,7 +33,7 @@ class TimeStepping final : public Formulation {
 
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
 
-  /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
+  /// Goes to time t [s] of the motion without solving the instants before, by continuation. Drivers
   /// move linearly from the positions q to where they are at t. q: Model::coordinates() values or
   /// more, solved at another instant. The next step goes on from the position at t. Returns false
   /// where the position cannot be reached; the next step then assembles.

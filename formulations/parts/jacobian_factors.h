@@ -61,8 +61,8 @@ class JacobianFactors {
     last_correction_ = Correction::none;
   }
 
-  /// Returns whether the last correction came from old factors and led away from the solution: ‖Φ‖
-  /// is neither below the tolerance nor smaller than before. residual: weighted ‖Φ‖ now.
+  /// Returns whether the last correction came from old factors and led away from the solution. Then
+  /// ‖Φ‖ is neither below the tolerance nor smaller than before. residual: weighted ‖Φ‖ now.
   bool led_away(double residual) const {
     return corrects_with_old() && !(residual < tolerance_) && !(residual < last_residual_);
   }

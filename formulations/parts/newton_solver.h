@@ -14,8 +14,8 @@
 
 namespace desmo {
 
-/// The rule that accepts a position, whatever factors led there: the first one whose ‖Φ‖ is below
-/// PartSettings::stop or, after the last iteration, below PartSettings::accept. With
+/// The rule that accepts a position, whatever factors led there. It accepts the first one whose ‖Φ‖
+/// is below PartSettings::stop. After the last iteration, PartSettings::accept is the limit. With
 /// PartSettings::at_rounding one more correction is made first, unless all iterations are done.
 class Acceptance {
  public:

@@ -32,8 +32,7 @@ inline SampleStrides side_by_side(int times) { return {.of_place = times}; }
 inline SampleStrides in_rows(int of_row) { return {.of_time = of_row}; }
 
 /// Samples several motions at one time or at several. A term a sin(ωt + φ) of a harmonic sum is
-/// taken apart into a cos φ sin ωt + a sin φ cos ωt: motions of one frequency share sine and
-/// cosine.
+/// evaluated as a cos φ sin ωt + a sin φ cos ωt. So motions of one frequency share sine and cosine.
 class MotionSampler {
  public:
   /// times: number of times in a call, one or a multiple of four. The motions outlive the sampler,

@@ -20,10 +20,9 @@ class Predictor {
     if (wanted_ == Guess::adams8) history_.emplace(ranges_);
   }
 
-  /// Writes the predicted coordinates into q.
+  /// Writes the predicted coordinates into q. For adams8 the predictor itself keeps rates of
+  /// earlier instants: it copies those of `last` in every call.
   /// - last, before: the last instant and the one before it; q may be the q of either
-  /// For adams8 the predictor itself keeps rates of earlier instants: it copies those of `last` in
-  /// every call.
   template <class States>
   void operator()(const StepHistory& history, const States& last, const States& before, double* q) {
     if (history_) {

@@ -101,7 +101,7 @@ class DrawnStart {
     return true;
   }
 
-  /// Returns whether the corrections contract until one is at most `settled`: the first is at most
+  /// Returns whether the corrections contract until one is at most `settled`. The first is at most
   /// max_change, each other one at most a quarter of the one before.
   bool contracts() {
     double limit = max_change;
