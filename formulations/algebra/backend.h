@@ -24,7 +24,7 @@ struct Backend {
   /// Makes a solver of systems with this pattern, as the settings say. Throws std::invalid_argument
   /// when the library cannot analyse the pattern.
   std::unique_ptr<LinearSolver> (*make_solver)(const Pattern&, const Settings&);
-  std::string (*version)();
+  std::string (*version)();               ///< returns the library's version as text
   Absence (*absence)() = nullptr;         ///< null: it is linked, so always present
   bool allocates = false;                 ///< takes memory from the heap in every factorisation
   bool has_btf = false;                   ///< offers Settings::btf

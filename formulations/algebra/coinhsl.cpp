@@ -39,8 +39,7 @@ std::string version_of(void* library) {
           reinterpret_cast<void (*)(int*, int*, int*)>(::dlsym(library, "LIBHSL_version"))) {
     int major = 0, minor = 0, patch = 0;
     tell(&major, &minor, &patch);
-    version +=
-        " " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+    version += " " + version_text(major, minor, patch);
   }
   return version;
 }
@@ -77,8 +76,8 @@ CoinHsl load_coinhsl(const char* file) {
   std::string tried;
   for (const char* name : usual_names) {
     if (void* const library = open(name)) return use(library, name);
-    // The loader's message begins with the name asked for where no such file is installed; else
-    // with the file that cannot be loaded, or the library that it lacks.
+    // Where no such file is installed, the loader's message begins with the name asked for.
+    // Otherwise it begins with the file that cannot be loaded, or with the library that it lacks.
     const std::string message = loader_message();
     if (!message.starts_with(std::string(name) + ":"))
       return absent("what was found cannot be loaded: " + message, true);

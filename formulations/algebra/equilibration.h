@@ -11,10 +11,11 @@
 
 namespace desmo {
 
-/// Linear systems with Φ_φ, solved with factors of the scaled matrix R Φ_φ S. R divides equations
-/// by their magnitudes, S multiplies unknowns with theirs. So pivots compare the same way in
-/// nanometres, in gigametres and with both in one part, and overflow is avoided. R and S are powers
-/// of two, which round nothing. Where all magnitudes are near 1 they are omitted.
+/// Linear systems with Φ_φ, solved with factors of the scaled matrix R Φ_φ S. R and S are diagonal:
+/// R divides equations by their magnitudes, S measures unknowns in theirs. So pivots compare the
+/// same way in nanometres, in gigametres and with both in one part, and overflow is avoided. The
+/// diagonals are rounded to powers of two, so that scaling rounds nothing. Where all magnitudes are
+/// near 1, R and S are omitted.
 class Equilibration {
  public:
   /// weights: 1/magnitude of each equation. magnitudes: those of the unknowns; empty: all are 1.

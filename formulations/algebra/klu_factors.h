@@ -15,7 +15,7 @@
 
 namespace desmo {
 
-/// Sparse LU factorisation by SuiteSparse's KLU, for the algebra `klu` and for ConditionNumber.
+/// Sparse LU factorisation by SuiteSparse's KLU, for the algebra `klu` and for ScaledFactors.
 /// Block triangular form (optional) and ordering are found once. Later factorisations reuse the
 /// pivot order while its pivots stay good.
 class KluFactors final : public LinearSolver {

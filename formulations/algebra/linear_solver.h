@@ -10,8 +10,8 @@ struct Pivots {
 };
 
 /// Solver of linear systems with the scaled Jacobian A of one part (JacobianFactors scales rows and
-/// columns of Φ_φ). Its sparsity pattern never changes: the constructor takes the Pattern, analyses
-/// it and allocates; later calls take no memory from the heap unless the library needs it.
+/// columns of Φ_φ). Its sparsity pattern never changes. The constructor takes the Pattern, analyses
+/// it and allocates. Later calls take no memory from the heap unless the library needs it.
 class LinearSolver {
  public:
   LinearSolver() = default;

@@ -45,9 +45,10 @@ struct Ma27Dialogue {
   bool succeeded() const { return info[0] == 0; }
   bool lacks_integers() const { return info[0] == -3; }
   bool lacks_reals() const { return info[0] == -4; }
-  /// Returns the size that may suffice of the memory that is lacking.
+  /// Returns a size that may suffice for the memory that was too small.
   int may_suffice() const { return info[1]; }
-  /// Return the memory that the factors take without compression; exact for a definite matrix.
+  /// Return the numbers of reals and integers that the factors take without compression. They are
+  /// exact for a definite matrix.
   int reals() const { return info[2]; }
   int integers() const { return info[3]; }
 };
@@ -120,7 +121,8 @@ class Ma27 final : public LinearSolver {
   bool factor(const double* values) override {
     values_ = values;
     a_.normal.refill(values);
-    // The largest entry is on the diagonal. What is as small as its rounding is no pivot.
+    // The matrix is positive semidefinite, so its largest entry is on the diagonal. A pivot below
+    // that entry's rounding counts as zero.
     a_.dialogue.set_least_pivot(std::numeric_limits<double>::epsilon() *
                                 std::ranges::max(a_.normal.values()));
     do factor_once();

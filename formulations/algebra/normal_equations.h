@@ -13,15 +13,15 @@ enum class NormalForm {
   rows,     ///< Φ_φ Φ_φᵀ y = b, x = Φ_φᵀ y
 };
 
-/// Upper triangle of N = Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ with rows and columns permuted. Each entry is a sum
-/// of products of entries of Φ_φ, so that refilling needs no search.
+/// Upper triangle of N = P Φ_φᵀ Φ_φ Pᵀ or P Φ_φ Φ_φᵀ Pᵀ, with a permutation matrix P. Each entry is
+/// a sum of products of entries of Φ_φ, found once: refilling needs no search.
 class NormalEquations {
  public:
   /// permutation[k]: column or row of Φ_φ that becomes column k of N; empty: they keep their order.
   NormalEquations(const Pattern& pattern, NormalForm form, std::vector<int> permutation = {});
 
   int n() const { return n_; }
-  /// first entry of each column, and the end (n + 1)
+  /// Returns the first entry of each column, and the end (n + 1).
   std::vector<int>& column_start() { return column_start_; }
   std::vector<int>& row() { return row_; }  ///< row of each entry, ascending within a column
   std::vector<double>& values() { return values_; }
@@ -41,7 +41,7 @@ class NormalEquations {
   std::vector<int> column_start_, row_;
   std::vector<double> values_;
   SumsOfProducts entries_;     // entries of N as products of entries of Φ_φ
-  SumsOfProducts transposed_;  // Φ_φᵀ times a vector; rows permuted like N in the form `columns`
+  SumsOfProducts transposed_;  // P Φ_φᵀ (columns) or Φ_φᵀ Pᵀ (rows) times a vector
 };
 
 }  // namespace desmo

@@ -21,7 +21,7 @@ class SumsOfProducts {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       of_length[static_cast<int>(pairs[i].size())].push_back(static_cast<int>(i));
     for (const auto& [length, sums] : of_length) {
-      runs_.push_back({length, static_cast<int>(sums.size())});
+      by_length_.push_back({length, static_cast<int>(sums.size())});
       for (int i : sums) {
         target_.push_back(i);
         pairs_.insert(pairs_.end(), pairs[i].begin(), pairs[i].end());
@@ -33,9 +33,9 @@ class SumsOfProducts {
   void operator()(const double* u, const double* v, double* c) const {
     const int* target = target_.data();
     const Pair* pair = pairs_.data();
-    for (const Run& run : runs_) {
+    for (const SumsOfLength& all : by_length_) {
       const auto add = [&](auto length) {
-        for (int i = 0; i < run.sums; ++i, ++target, pair += length) {
+        for (int i = 0; i < all.sums; ++i, ++target, pair += length) {
           double sum = 0;
           for (int k = 0; k < length; ++k) sum += u[pair[k].a] * v[pair[k].b];
           c[*target] = sum;
@@ -43,19 +43,19 @@ class SumsOfProducts {
       };
       // Sums of up to four products are evaluated without an inner loop.
       const auto is_short = [&]<int... length>(std::integer_sequence<int, length...>) {
-        return ((run.length == length && (add(std::integral_constant<int, length>()), true)) ||
+        return ((all.length == length && (add(std::integral_constant<int, length>()), true)) ||
                 ...);
       };
-      if (!is_short(std::integer_sequence<int, 1, 2, 3, 4>())) add(run.length);
+      if (!is_short(std::integer_sequence<int, 1, 2, 3, 4>())) add(all.length);
     }
   }
 
  private:
-  struct Run {
+  struct SumsOfLength {
     int length;  // number of products in each sum
     int sums;    // number of sums of this length
   };
-  std::vector<Run> runs_;
+  std::vector<SumsOfLength> by_length_;
   std::vector<int> target_;  // i of each sum cᵢ, in order of evaluation
   std::vector<Pair> pairs_;  // pairs in order of evaluation
 };

@@ -27,8 +27,9 @@ std::vector<int> places_of(std::span<const ExplicitPart* const> subsystem) {
   return {states.begin(), states.end()};
 }
 
-/// Returns for each position in the state that the first subsystem uses the one that another
-/// subsystem uses instead. Returns nothing where that would use two.
+/// Returns the position in the state that another subsystem uses in place of each of `states`,
+/// those of the first subsystem. Returns nothing where the other one uses two positions in place of
+/// one.
 std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> other,
                                           std::span<const ExplicitPart* const> first,
                                           std::span<const int> states) {
@@ -211,13 +212,14 @@ void Batch::bind(const PartOutputs& outputs) {
   for (std::size_t i = 0; i < in_state.size(); ++i)
     in_state[i] = outputs.observed[i] ? static_cast<int>(i) : -1;
   observed_ = targets(unknowns_, in_state);
-  // A part of a lower level delivers rates up to that level only, and drivers may be requested to a
-  // higher one.
+  // The batch delivers levels up to outputs.level, that of its unknowns. Drivers may be requested
+  // up to a higher level: others then deliver them.
   if (!outputs.places.empty())
     delivered_ = targets(outputs.level == Level::acceleration ? own_ : unknowns_, outputs.places);
 }
 
-/// Returns the targets of numbers at these places. Each place is used once: it becomes −1.
+/// Returns the table that scatters numbers of all subsystems. places: for each position in the
+/// state the place in the target; −1: none. Each place is used once: it becomes −1.
 Scatter Batch::targets(std::span<const int> numbers, std::span<int> places) const {
   LanePlaces to(lanes_, std::vector<int>(places_.front().size(), -1));
   for (std::size_t l = 0; l < subsystems_.size(); ++l)

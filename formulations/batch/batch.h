@@ -57,20 +57,23 @@ class Batch {
         const std::vector<StateKind>& kinds, Guess guess);
 
   std::span<Subsystem> subsystems() const { return subsystems_; }
+  /// Returns what Step::accepted is when every subsystem is accepted.
   unsigned all() const { return (1u << subsystems_.size()) - 1; }
 
-  /// Return the coordinates that the parts read: driven ones in the order of the row, and others.
-  /// See PartInputs.
+  /// Returns the driven coordinates that the batch takes from the row, in its order: see
+  /// PartInputs::drivers.
   std::vector<int> drivers() const;
+  /// Returns all other positions in the state that the parts read, repeats included.
   std::vector<int> reads() const;
   /// See ResidentPart.
   void bind(const PartOutputs& outputs);
   void begin_step(const StepHistory& history, const MotionRow& row);
   /// Returns how many numbers of the row are its drivers.
   std::size_t in_row() const { return driven_.size() * lanes_; }
-  /// Returns whether the step starts from the instant before, which is kept, and not from the
-  /// state.
+  /// Returns whether the step starts from a prediction by kept instants. Otherwise it starts from
+  /// the positions in the state.
   bool predicted() const { return predicted_; }
+  /// Forgets all instants: solve() accepts none until copy_from() finds a position of every part.
   void forget() { assembled_ = kept_ = predicted_ = is_driven_ = false; }
 
   /// Solves positions, velocities and accelerations of all subsystems. Accepts none where a part
@@ -79,10 +82,11 @@ class Batch {
   /// Copies constants, drivers and unknowns of all subsystems from the state; takes their branches.
   void copy_from(const State& state);
 
+  /// See ResidentPart.
   void deliver(const OutputView& output, Level level) const;
 
-  /// Writes the observed unknowns and their rates to the state, up to `level`. Unless they were
-  /// predicted(), writes the positions of all its unknowns and drivers.
+  /// Writes the observed unknowns and their rates to the state, up to `level`. Unless the step was
+  /// predicted(), writes the positions of all unknowns and drivers, observed or not.
   void write_observed(State& state, Level level) const;
   /// Writes the solution of one subsystem to the state: its unknowns and drivers.
   void store(std::size_t subsystem, State& state) const { store(own_, subsystem, state); }
@@ -100,6 +104,7 @@ class Batch {
     bool is_unknown = false, is_unwrapped = false;
   };
 
+  /// Returns the subsystem in a lane: the first one in lanes that are left over.
   Subsystem& subsystem_in(std::size_t lane) const {
     return subsystems_[lane < subsystems_.size() ? lane : 0];
   }
@@ -120,22 +125,24 @@ class Batch {
   LanePlaces places_;                   // the place in the state of each number of each lane
   std::vector<int> unknowns_, driven_;  // unknowns, drivers: numbers, ascending
   std::vector<int> own_;                // both unknowns and drivers, ascending
-  // numbers of other parts: constant ones, read once; others, read in every step
+  // numbers that no part of the batch finds: constant ones, read by copy_from(); others, read in
+  // every step
   Gather constants_, moving_;
   Gather undriven_;               // driven numbers, read in the state where no step was begun
   Gather starts_;                 // unknowns, read in the state where none are predicted
   Scatter observed_, delivered_;  // numbers to write to the state, and to lent outputs
   BatchState state_;
-  LaneValues residuals2_;  // max_lanes values for each part
+  LaneValues residuals2_;  // ‖Φ‖₂² of each lane, max_lanes values for each part
   Step step_;
   bool assembled_ = false;  // every part has found a position since forget()
-  // kept_: state_ was solved since forget(); predicted_: the step starts from a prediction;
-  // is_driven_: state_ has the step's drivers
-  bool kept_ = false, predicted_ = false, is_driven_ = false;
+  bool kept_ = false;       // state_ has an instant solved since forget()
+  bool predicted_ = false;  // the step starts from a prediction
+  bool is_driven_ = false;  // begin_step() has written the step's drivers to state_
 };
 
-/// Returns whether both have parts of the same types, in the same order, that take the same from
-/// each other.
+/// Returns whether two subsystems can be solved in lanes of one batch. Their parts are of the same
+/// types in the same order. Inputs that are one coordinate in one subsystem are one coordinate in
+/// the other.
 bool are_alike(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b);
 
 }  // namespace desmo

@@ -8,8 +8,8 @@ namespace desmo {
 
 namespace {
 
-/// Returns the kernels with the fewest lanes that hold all subsystems, or those with the most
-/// lanes. Empty lanes cost as much as others.
+/// Returns the kernels with the fewest lanes that hold all subsystems: empty lanes cost as much as
+/// others. Returns those with the most lanes where none hold all.
 const SubsystemKernels& kernels_for(std::size_t subsystems,
                                     const std::vector<SubsystemKernels>& kernels) {
   const auto hold_all = [&](const SubsystemKernels& k) {

@@ -11,19 +11,21 @@
 namespace desmo {
 
 /// Equal subsystems, none of which needs another, solved in batches by explicit code on wide
-/// registers. A subsystem is one part, or several whose results stay in lanes. One that has no
-/// position yet, or of which the code refuses a part, is solved alone, by its own parts.
+/// registers. A subsystem is one part, or several whose results stay in lanes. A subsystem is
+/// solved alone, by its own parts, while it has no position yet and where the code refuses one of
+/// its parts.
 class BatchPart final : public Part, public ResidentPart {
  public:
-  /// kernels: one or more, each for more lanes than the one before. subsystems: two or more, alike
-  /// as are_alike() says. kinds: the origin of each position in the state.
+  /// - kernels: those of a subsystem for each number of lanes, ascending; at least one
+  /// - subsystems: two or more, alike as are_alike() says
+  /// - kinds: the origin of each position in the state
   BatchPart(std::vector<SubsystemKernels> kernels, std::vector<Subsystem> subsystems,
             const std::vector<StateKind>& kinds, Guess guess);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
   /// Returns drivers and other inputs of the batches, and all inputs of the subsystem that is left
-  /// over, its own unknowns included. Batches predict from what they keep, so only the latter has
-  /// predicted unknowns.
+  /// over, its own unknowns included. Only that subsystem has predicted unknowns: batches predict
+  /// from what they keep.
   PartInputs inputs(PartInputs equations) const override;
   ResidentPart* resident() override { return this; }
   void bind(const PartOutputs& outputs) override;
@@ -33,7 +35,7 @@ class BatchPart final : public Part, public ResidentPart {
   void restore(std::span<double> q) const override;
   void forget() override;
 
-  /// Returns the sums over its members.
+  /// Returns the sums over the parts of all subsystems.
   PartCounts counts() const override;
 
  private:
@@ -45,13 +47,13 @@ class BatchPart final : public Part, public ResidentPart {
   std::vector<Subsystem> subsystems_;
   std::vector<Batch> batches_;
   Subsystem* left_over_ = nullptr;  // subsystem that would be alone in a batch; null: none
-  std::vector<double> last_;  // positions of the instant before, where a subsystem is solved alone
+  std::vector<double> last_;  // workspace: last positions for subsystems that are solved alone
 };
 
-/// Joins parts in explicit order to batches of up to settings.lanes: equal subsystems that need
-/// nothing of each other, or, where that takes fewer calls of kernels, parts of one type that do
-/// not need each other. type_ends: the end of each range of such parts (see gather_types). Parts
-/// without code for lanes stay alone.
+/// Joins parts in explicit order to batches of up to settings.lanes. A batch has equal subsystems
+/// that need nothing of each other. Where that takes fewer calls of kernels, it has parts of one
+/// type that do not need each other. type_ends: the end of each range of such parts (see
+/// gather_types). Parts without code for lanes stay alone.
 std::vector<DefinedPart> make_batches(const Model& model, std::vector<DefinedPart> parts,
                                       const std::vector<int>& type_ends, const Settings& settings,
                                       const KernelTable& table);

@@ -20,21 +20,22 @@ namespace desmo {
 class KernelBatch {
  public:
   /// - lanes: the part in each lane of the kernel, all of the kernel's type; a part may stand in
-  ///   several lanes; they outlive the batch
+  ///   several lanes; the kernel and the parts outlive the batch
   /// - in: the position of each local input in the arrays that solve() is given
   KernelBatch(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes, std::vector<int> in);
   KernelBatch(KernelBatch&&) = default;  // binding_ stays valid: moved vectors keep their memory
 
   /// Solves positions, velocities and accelerations in a state whose numbers are in lanes.
-  /// residual2: ‖Φ‖₂² of each lane. Positions and rates of a lane that is not accepted are
-  /// unspecified.
+  /// Positions and rates of a lane that is not accepted are unspecified. residual2: (lanes), begins
+  /// a cache line; overwritten by the weighted ‖Φ‖₂² of each lane.
   LaneResult solve(LaneState& state, double* residual2) const {
     return kernel_.solve(state.q.data(), state.qd.data(), state.qdd.data(), binding_, residual2);
   }
 
-  /// Copies the branches on which the parts are now. Anchors of angles become void.
+  /// Copies the branches on which the parts are now. Voids the anchors (ExplicitBinding).
   void take_branches();
 
+  /// Returns whether every part has found a position since its forget().
   bool assembled() const;
 
  private:
@@ -57,7 +58,7 @@ void copy_number(const auto& from, std::size_t i, auto& to, std::size_t j) {
 class BatchState {
  public:
   BatchState() = default;
-  /// numbers: their count in one lane. predicted, unwrapped: those of them that solvers start from
+  /// numbers: their count in one lane. predicted, unwrapped: the numbers that solvers start from
   /// (see PartInputs), ascending.
   BatchState(std::size_t numbers, std::size_t lanes, Guess guess, std::span<const int> predicted,
              std::vector<int> unwrapped)

@@ -14,8 +14,8 @@ namespace {
 
 using Places = std::array<int, quad>;
 
-/// Returns the places of a number in lanes from first_lane on. Lanes from `used` on have the place
-/// of the last one before.
+/// Returns the places of a number in lanes from first_lane on. Lanes from `used` on repeat the
+/// place of lane used − 1.
 template <std::size_t lanes>
 std::array<int, lanes> places_of(int number, const LanePlaces& places, std::size_t first_lane,
                                  std::size_t used) {
@@ -148,13 +148,13 @@ void Scatter::add(std::vector<int> numbers, const LanePlaces& places, std::size_
       ++ranges.back().size;
     else
       ranges.push_back({1, offsets_.size(), place});
-    offsets_.push_back(static_cast<int>(n * lanes_ + first_lane));
+    offsets_.push_back(static_cast<int>(n * places.size() + first_lane));
   }
 }
 
 Scatter::Scatter(std::span<const int> which, const LanePlaces& places, std::size_t used)
-    : lanes_(places.size()), used_(used) {
-  const bool is_wide = lanes_ == wide && has_lanes(wide);
+    : used_(used) {
+  const bool is_wide = places.size() == wide && has_lanes(wide);
   const std::size_t together = is_wide ? used : quad;
   for (std::size_t first = 0; first < used; first += together) {
     const std::size_t end = std::min(first + together, used);

@@ -62,8 +62,8 @@ class BatchMaker {
     return dynamic_cast<const ExplicitPart*>(parts_[i].solver.get());
   }
 
-  /// Returns the subsystems, which are the moving parts that need each other, directly or not.
-  /// Those alike are in one list.
+  /// Returns the subsystems: sets of moving parts that need each other, directly or by way of
+  /// others. Each list has subsystems that are alike.
   std::vector<std::vector<Positions>> alike_subsystems() const {
     DisjointSets linked(parts_.size());
     Positions owner(model_.state_size(), -1);
@@ -111,8 +111,9 @@ class BatchMaker {
 
   std::size_t calls(std::size_t parts) const { return (parts + lanes_ - 1) / lanes_; }
 
-  /// Returns whether the first of these subsystems together, and the rest type by type, take no
-  /// more calls of kernels than all of them type by type.
+  /// Compares batches of the first `together` subsystems, with the rest solved type by type, with
+  /// solving all subsystems type by type. Returns whether the former takes no more calls of
+  /// kernels.
   bool gains(const std::vector<Positions>& subsystems, std::size_t together) const {
     if (together < 2 || kernels(subsystems.front()).empty()) return false;
     std::map<int, std::size_t> of_range;
@@ -181,7 +182,8 @@ class BatchMaker {
   const int lanes_;
   const Guess guess_;
   const KernelTable& table_;
-  std::vector<int> range_of_;     // range of each part, by type_ends
+  // number of the range of each part; a range has parts of one type that do not need each other
+  std::vector<int> range_of_;
   std::vector<StateKind> kinds_;  // origin of each position in the state
   std::vector<DefinedPart> result_;
 };

@@ -9,7 +9,8 @@
 
 namespace desmo {
 
-/// Returns the outputs of step i. Borrows them with those of the next steps, where none are left.
+/// Returns the outputs of step i, one for each lane that has an instant of the motion there. Where
+/// none are left, borrows these and those of the next steps.
 std::span<const OutputView> SegmentsInLanes::borrow(const TimeGrid& grid, int length, int i,
                                                     Observer& observer) {
   const auto count = [&](int step) {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "formulations/base/output_writer.h"
-#include "formulations/batch/layout.h"
 #include "formulations/motion/driver_continuation.h"
 #include "formulations/motion/prediction/driver_source.h"
 
@@ -16,7 +15,6 @@ namespace desmo {
 SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
                                  const Settings& settings, const KernelTable& table)
     : model_(model),
-      settings_(settings),
       lanes_(static_cast<int>(parts.size())),
       motions_(driver_motions(model), lanes_, side_by_side(lanes_)),
       residual2_(lanes_),
@@ -37,7 +35,7 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
     std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped));
   }
   std::ranges::sort(predicted);
-  state_ = BatchState(size, lanes_, settings_.guess, predicted, std::move(unwrapped));
+  state_ = BatchState(size, lanes_, settings.guess, predicted, std::move(unwrapped));
 }
 
 SegmentsInLanes::PartInLanes SegmentsInLanes::put_in_lanes(std::vector<Parts>& parts,
@@ -79,19 +77,20 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
     total.iterations += static_cast<long>(step.iterations) * lanes_;
     total.updates += step.updates * lanes_;
     deliver(grid, length, i, request.level, step, observer, total);
-    if (total.stopped) return total;
+    if (total.stopped) break;
   }
+  total.residual = std::sqrt(max_residual2);
+  if (total.stopped) return total;
   if (!meet()) return {};
   total.time = grid.time(grid.instants - 1);
-  total.residual = std::sqrt(max_residual2);
   for (std::size_t k = 0; k < state.q.size(); ++k)
     copy_number(state_.now(), (k + 1) * lanes_ - 1, state, k);
   return total;
 }
 
-/// Continues all lanes at once, as in a motion that takes a unit of time. It ends at the positions
-/// from which the first instants of the segments are solved. Returns false where a lane would need
-/// shorter steps or cannot be continued.
+/// Moves all lanes at once from the first instant of the motion to the beginnings of their
+/// segments, by continuation in equal steps. Rates are those of a way that takes a unit of time.
+/// Returns false where a lane would need shorter steps or cannot be continued.
 bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
   int steps = 1;
   for (int l = 0; l < lanes_; ++l) {
@@ -177,9 +176,10 @@ SegmentsInLanes::StepInLanes SegmentsInLanes::solve() {
 /// Solves one lane alone. A lane that the code has refused starts from its last position; others
 /// start from the prediction.
 void SegmentsInLanes::solve_lane(PartInLanes& part, int lane, StepInLanes& step) {
-  for (std::size_t k = 0; k < alone_.q.size(); ++k)
+  for (std::size_t k = 0; k < alone_.q.size(); ++k) {
     copy_number(state_.now(), k * lanes_ + lane, alone_, k);
-  for (const int k : part.unknowns) last_alone_[k] = state_.before().q[k * lanes_ + lane];
+    last_alone_[k] = state_.before().q[k * lanes_ + lane];
+  }
   if (part.together)
     for (const int k : part.unknowns) alone_.q[k] = last_alone_[k];
   const PartResult r = part.members[lane]->solve(alone_, last_alone_, Level::acceleration);

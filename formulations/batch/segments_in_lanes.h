@@ -17,7 +17,7 @@ namespace desmo {
 /// less than the continuation to its start costs.
 inline constexpr int min_segment = 16;
 
-/// Solves as many equal segments of a motion as there are lanes, one in each lane of a batch of the
+/// Solves a motion in as many equal segments as there are lanes, one in each lane of a batch of the
 /// whole model. A part without code for lanes is solved lane by lane, as is a lane that the code
 /// refuses.
 class SegmentsInLanes final : public SegmentExecutor {
@@ -25,7 +25,7 @@ class SegmentsInLanes final : public SegmentExecutor {
   using Parts = std::vector<DefinedPart>;
 
   /// parts: those of each lane, the same in all, in the order of solution. table: has the code for
-  /// lanes; it must outlive this object.
+  /// lanes. The model and the table outlive this object.
   SegmentsInLanes(const Model& model, std::vector<Parts> parts, const Settings& settings,
                   const KernelTable& table);
 
@@ -46,7 +46,7 @@ class SegmentsInLanes final : public SegmentExecutor {
   struct StepInLanes {
     bool ok = true;
     int iterations = 0;
-    long updates = 0;  // in each lane, as far as lanes are solved together
+    long updates = 0;  // of each lane; leaves out what is solved lane by lane
   };
 
   PartInLanes put_in_lanes(std::vector<Parts>& parts, std::size_t index,
@@ -63,7 +63,6 @@ class SegmentsInLanes final : public SegmentExecutor {
                Observer& observer, Summary& total);
 
   const Model& model_;
-  const Settings settings_;
   const int lanes_;
   MotionSampler motions_;  // samples the drivers in lanes
   std::vector<PartInLanes> parts_;
@@ -73,8 +72,8 @@ class SegmentsInLanes final : public SegmentExecutor {
   State alone_;                               // workspace: the state of a lane solved alone
   std::vector<double> last_alone_;            // workspace: last positions of that lane
   std::vector<std::vector<double>> changes_;  // changes of the drivers to the start of each segment
-  std::vector<int> requested_;                // position in lanes of each requested coordinate
-  std::vector<int> indices_;         // indices of the instants for which memory is borrowed
+  std::vector<int> requested_;  // index in state_ of each requested coordinate, in the first lane
+  std::vector<int> indices_;    // indices of the instants for which memory is borrowed
   std::vector<OutputView> outputs_;  // borrowed memory of each instant in indices_
   std::size_t used_ = 0;             // number of outputs_ used so far
   std::vector<double> beyond_;       // receives instants after the end of the motion

@@ -13,8 +13,8 @@ namespace desmo {
 
 namespace {
 
-/// Minimum work of a segment: moving unknowns times instants. It takes some ten times as long as a
-/// thread takes to begin.
+/// Minimum work of a segment (≥): moving unknowns times instants. Work of this size takes some ten
+/// times as long as a thread takes to begin.
 constexpr long min_work = 100'000;
 
 long moving_unknowns(const TimeStepping& f) {
@@ -59,8 +59,8 @@ struct Shared {
   std::atomic<bool> stopped{false};  // the observer has stopped the run
 };
 
-/// Hands instants of a segment on as those of the whole motion: to the thread's own observer, or
-/// to one that all share, several instants at a time.
+/// Hands instants of a segment on as those of the whole motion. They go to the thread's own
+/// observer or, several at a time, to one that all threads share.
 class SegmentObserver final : public Observer {
  public:
   SegmentObserver(Observer& all, int thread, Shared& shared, const TimeGrid& grid, int begin)
@@ -108,8 +108,8 @@ class SegmentObserver final : public Observer {
     waiting_.clear();
   }
 
-  /// Number of instants handed on together: waiting for another thread takes as long as solving
-  /// some.
+  /// Number of instants for which a worker may borrow memory at once. They are handed on together:
+  /// waiting for another thread takes as long as solving some.
   static constexpr int handed_on_together = 32;
 
   Observer* const own_;
@@ -169,6 +169,7 @@ std::optional<Summary> SegmentsOnThreads::run(const TimeGrid& grid, const Reques
     whole.instants += s.total->instants;
     whole.iterations += s.total->iterations;
     whole.updates += s.total->updates;
+    whole.sub_steps += s.total->sub_steps;
     whole.residual = std::max(whole.residual, s.total->residual);
   }
   whole.time = grid.time(grid.instants - 1);

@@ -7,16 +7,17 @@
 #include <array>
 #include <cstddef>
 
-// Only these functions are compiled for wide registers, not the file. Inline functions of standard
-// headers would be, too, and the linker might choose these copies for all callers.
+// Only these functions are compiled for wide registers, not the whole file. Otherwise inline
+// functions of standard headers would be, too, and the linker might choose those copies for callers
+// on processors without such registers.
 #define DESMO_WIDE [[gnu::target("arch=x86-64-v4")]]
 
 namespace desmo {
 
 namespace {
 
-/// Return four numbers of two lanes, one lane after the other, from registers with pairs of two
-/// numbers.
+/// Return four numbers a, b, c, d of the first two or the last two of four lanes, one lane after
+/// the other. ab, cd: the pairs a, b and c, d of the four lanes, one lane after the other.
 DESMO_WIDE inline __m512d lower_pairs(__m512d ab, __m512d cd) {
   return _mm512_permutex2var_pd(ab, _mm512_set_epi64(11, 10, 3, 2, 9, 8, 1, 0), cd);
 }

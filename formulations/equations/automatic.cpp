@@ -43,7 +43,8 @@ void pick(const std::array<int, N>& rows, const std::array<double, N>& all, doub
     if (rows[r] >= 0) to[rows[r]] = all[r];
 }
 
-/// Constraints of one kind. The part has all equations of each of them, or not all of any.
+/// Constraints of one kind, all whole or all cut. The part has every equation of a whole
+/// constraint, and some of a cut one.
 template <class Kind>
 struct ObjectsOf : AutomaticEquations::Loops {
   struct Object {

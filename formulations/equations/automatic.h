@@ -29,7 +29,8 @@ class AutomaticEquations final : public Equations {
 
  private:
   Pattern pattern_;
-  // of each kind that occurs: one for whole constraints, one for those shared with other parts
+  // of each kind that occurs: one for constraints with all equations in this part, one for
+  // constraints with equations in other parts, too
   std::vector<std::unique_ptr<Loops>> loops_;
 };
 

@@ -64,6 +64,7 @@ DESMO_INLINE T sine_near_zero(const T& x) {
   const T u = x * x;
   return x + (x * u) * polynomial(c, u);
 }
+/// Returns cos x for |x| ≤ π/2, likewise.
 template <class T>
 DESMO_INLINE T cosine_near_zero(const T& x) {
   constexpr std::array c{0.04166666666666634,     -0.0013888888888860709, 2.4801587292446213e-05,
@@ -78,8 +79,8 @@ struct SineCosine {
   T sine, cosine;
 };
 
-/// Returns sine and cosine of an angle [rad], NaN at and beyond ±max_reduced. Calls for both of one
-/// angle share their common work.
+/// Returns sine and cosine of an angle [rad], NaN at and beyond ±max_reduced. Where code calls
+/// sin() and cos() of one angle, the compiler evaluates their common part once.
 template <class T>
 DESMO_INLINE SineCosine<T> sine_cosine(const T& far_or_near) {
   using std::abs, std::floor, std::nearbyint;

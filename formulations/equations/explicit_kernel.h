@@ -11,8 +11,8 @@ namespace desmo {
 
 /// Limits that a solution must satisfy.
 struct ExplicitLimits {
-  double tolerance2;  ///< limit of ‖Φ‖₂² of the part's equations, each times its weight
-  /// limit of ‖Φ‖₂² of a core: smaller, since later unknowns amplify its error
+  double tolerance2;  ///< limit of ‖Φ‖₂² of the part's equations, each times its weight (<)
+  /// limit of ‖Φ‖₂² of a core (<): smaller, since later unknowns amplify its error
   double core_tolerance2;
   int max_iterations;  ///< limit of Newton–Raphson iterations on a core
 };
@@ -21,19 +21,13 @@ struct ExplicitLimits {
 template <class T>
 using Mask = decltype(std::declval<T>() < std::declval<T>());
 
+/// Returns whether a mask is true in every lane.
 template <class M>
 bool all(const M& mask) {
   if constexpr (std::is_same_v<M, bool>)
     return mask;
   else
     return all_of(mask);
-}
-template <class M>
-bool any(const M& mask) {
-  if constexpr (std::is_same_v<M, bool>)
-    return mask;
-  else
-    return any_of(mask);
 }
 
 /// Number of values in an anchor: an angle, its sine and its cosine.
@@ -47,8 +41,8 @@ struct ExplicitBinding {
   const T* f;       ///< values that ExplicitKernel::fold makes of c
   const T* branch;  ///< ±1: sign of each square root
   const T* w;       ///< 1/magnitude of each equation
-  /// for each angle anchor_size values of a nearby angle, from which sine and cosine are cheap;
-  /// zeros: none yet
+  /// for each unwrapped angle a nearby one, its sine and its cosine (anchor_size values), which
+  /// turned_angle() reads and overwrites; zeros: none yet
   T* anchors;
   ExplicitLimits limits;
 };

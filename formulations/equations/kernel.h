@@ -39,8 +39,10 @@ struct Kernel {
                     double* gamma);
 
   /// Iterates Newton–Raphson with the elimination inlined, until ‖Φ‖₂² < tolerance2 or NaN, up to
-  /// max_iterations times in each pivot order. Each equation is multiplied by its weight
-  /// (1/magnitude). A bad pivot shows in the residual of the original equations.
+  /// max_iterations times in each pivot order. Each order starts from the unknowns in `state`,
+  /// which the last one tried overwrites. With tolerance2 = 0 the first order alone makes
+  /// max_iterations. Each equation is multiplied by its weight (1/magnitude). A bad pivot shows in
+  /// the residual of the original equations.
   InlinedResult (*position)(double* state, const int* in, const double* c, const double* weight,
                             double tolerance2, int max_iterations);
   /// Solves velocities and, when acc is not null, accelerations of the unknowns at a solved

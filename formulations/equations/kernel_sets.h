@@ -7,10 +7,11 @@
 
 namespace desmo {
 
-// Kernels that are generated when desmo is built, by the set of mechanisms that they come from and,
-// for batches, the number of lanes. A type of group that occurs in both sets has its kernels in the
-// first. Kernels for 8 lanes exist only in builds with DESMO_WIDE_LANES. They return references,
-// since they may be compiled for instructions that the caller's processor lacks.
+// Kernels that are generated when desmo is built. A function returns those of one set of mechanisms
+// and, for batches, of one number of lanes. A type of group that occurs in the cases and in the
+// library has its kernels in the set of the cases. Kernels for 8 lanes exist only in builds with
+// DESMO_WIDE_LANES. The functions return references and do nothing else: they may be compiled for
+// instructions that the caller's processor lacks.
 using FourLanes = std::integral_constant<int, 4>;
 using EightLanes = std::integral_constant<int, 8>;
 
@@ -32,7 +33,7 @@ const KernelLibrary& coordinates_kernels();
 const KernelLibrary& coordinates_explicit_kernels();
 
 /// Returns the kernels that the program was linked with: of both natural sets
-/// (DESMO_LIBRARY_KERNELS) or of the first alone.
+/// (DESMO_LIBRARY_KERNELS) or of the cases alone.
 std::span<const KernelLibrary> built_in_kernels();
 
 }  // namespace desmo

@@ -24,7 +24,8 @@ struct LaneResult {
 struct LaneKernel {
   int lanes;
   std::string_view fingerprint;  ///< PartType::fingerprint
-  /// local inputs that it reads; of its unknowns the torn ones and unwrapped angles
+  /// local inputs that it reads: all that are not unknowns, and of the unknowns the torn ones and
+  /// the unwrapped angles
   std::span<const int> read;
   std::span<const int> unknowns;  ///< local inputs that it writes
   /// Solves the parts. residual2: (lanes), ExplicitResult::residual2 of each.

@@ -12,12 +12,13 @@ namespace desmo {
 struct JacobianEntry {
   int row;               ///< equation of the part; -1: the equation is of another part
   int place;             ///< component of the state (q, then the fixed entities)
-  bool resting = false;  ///< the component never moves, unless it is an unknown
+  bool resting = false;  ///< true: the component never moves; ignored where it is an unknown
 };
 
 /// Positions of the partial derivatives of a part's n equations in one array of `size()` values.
 /// First stands Φ_φ (by the n unknowns), compressed by columns; then Φ_h (by known coordinates that
-/// move). The last value, not read, collects all derivatives by what never moves or of other parts.
+/// move). The last value is never read. Derivatives by what never moves, and those of equations of
+/// other parts, are all written there.
 struct Pattern {
   int n = 0;                         ///< number of unknowns and equations
   std::vector<int> unknowns;         ///< coordinate of each column (n)

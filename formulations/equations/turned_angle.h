@@ -12,15 +12,16 @@ struct TurnedAngle {
 
 /// Limit of |tangent| of a small turn from an anchor (<).
 inline constexpr double small_turn = 1.0 / 4;
-/// Limit of the distance between the previous angle and its anchor [rad] (<). Within it, and after
-/// a small turn, the angle nearest to one is nearest to the other.
+/// Limit of the distance between the previous angle and its anchor [rad] (<). Below it, and after a
+/// small turn from the anchor, the angle nearest to the anchor is also nearest to the previous one.
 inline constexpr double near_anchor = 1.0 / 2;
 
 /// Returns the angle of (x, y) from the x axis, whole turns chosen so that it is nearest to
 /// `before`. Where `before` is near the anchor (see ExplicitBinding) and the turn from the anchor
 /// is small, short polynomials suffice. Elsewhere everything is evaluated, and the result becomes
 /// the new anchor. Polynomials interpolate at zeros of Chebyshev polynomials; errors are below
-/// 1e-17. Returns NaN at the origin and where `before` is at or beyond ±max_reduced.
+/// 1e-17. Returns NaN at the origin, and where everything is evaluated for a `before` at or beyond
+/// ±max_reduced.
 template <class T>
 DESMO_INLINE TurnedAngle<T> turned_angle(const T& y, const T& x, const T& before, T* anchor) {
   using std::abs;

@@ -27,9 +27,10 @@ Flow DenseOutput::observe(const Instant& solved) noexcept {
   return flow;
 }
 
-// Hermite's basis on [0, 1] at s, factored about its zeros at both ends so that nothing cancels
-// there, and its first two derivatives; with h for the interval,
+// The quintic at s in Hermite's basis. 0 and 1 are the ends of an interval of h seconds:
 //   q = q₀ + H₅ (q₁ − q₀) + h (H₁ q̇₀ + H₄ q̇₁) + h² (H₂ q̈₀ + H₃ q̈₁),  d/dt = d/ds / h.
+// H₁ … H₅ and their first two derivatives are factored about their zeros at both ends, so that
+// nothing cancels there.
 
 DenseOutput::Weights DenseOutput::of_position(double s, double h) {
   const double r = 1 - s;

@@ -1,6 +1,7 @@
 #include "formulations/motion/diagnosis.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -57,11 +58,9 @@ int worst_row(const Eigen::VectorXd& v) {
 Culprit find_culprit(const Model& m, std::span<const GroupId> groups, std::vector<double> state,
                      const Settings& settings) {
   const Magnitudes magnitudes(m);
-  std::vector<bool> suspected(m.groups.size(), false);
-  for (const GroupId g : groups) suspected[g] = true;
   for (const PartDefinition& group : make_partition(m, Partition::group)) {
     const GroupId g = group.groups.front();
-    if (!suspected[g]) continue;
+    if (std::ranges::find(groups, g) == groups.end()) continue;
     const int row = DenseGroup(m, group, magnitudes).solve(state, settings);
     if (row >= 0) return {g, group.equations[row].constraint};
   }

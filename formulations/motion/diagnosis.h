@@ -36,7 +36,7 @@ class DenseGroup {
 /// Returns the row of the component of largest magnitude, or of the first one that is NaN.
 int worst_row(const Eigen::VectorXd& v);
 
-/// Group and constraint at which a step failed, if known.
+/// Group and constraint at which a step failed; no_position: unknown.
 struct Culprit {
   GroupId group = no_position;
   int constraint = no_position;  ///< position in Model::constraints
@@ -45,9 +45,9 @@ struct Culprit {
 /// Finds the group that stopped a part, whatever solved the part. Solves the groups again, one
 /// after the other, from the positions at which the step began. The first group that does not
 /// converge or is singular is the culprit. Its constraint is the one violated most where the group
-/// stopped or, where it is singular, the one most involved in the dependence. Allocates: not for
-/// timed code. state: (Model::state_size()), with drivers and earlier parts as at the failed
-/// instant.
+/// stopped or, where it is singular, the one most involved in the dependence. Both are unknown
+/// where all groups converge. Allocates: not for timed code. state: (Model::state_size()), with
+/// drivers and earlier parts as at the failed instant.
 Culprit find_culprit(const Model& model, std::span<const GroupId> groups, std::vector<double> state,
                      const Settings& settings);
 

@@ -29,8 +29,7 @@ std::vector<double> driver_changes(const Model& m, const State& from, const Stat
 }
 
 int continuation_steps(const Model& m, std::span<const double> changes) {
-  // number of steps where turns do not ask for more
-  constexpr int usual = 8;
+  constexpr int usual = 8;  // number of steps (≥), more where drivers turn far
   // maximum turn of a driver in a step [rad], so that Newton's method stays on its branch
   constexpr double max_turn = 0.1;
   if (!whole_turns_count(m)) return usual;
@@ -51,7 +50,7 @@ bool move_drivers(const Model& m, std::span<const double> changes, State& state,
   const double max_step = 1.0 / continuation_steps(m, changes), min_step = max_step / 16;
   const State start = state;
   State reached = state;
-  double done = 0, step = 0;  // shares of the changes; the first solve is at the start
+  double done = 0, step = 0;  // shares of the changes; 0: the first solve is at the start
   while (true) {
     for (std::size_t d = 0; d < changes.size(); ++d) {
       const int driven = m.entities[m.drivers[d].coordinate].first;
@@ -102,7 +101,7 @@ ContinuationEnd continue_drivers_to(const Model& m, const State& to, State& stat
     leave_out_turns(m, changes, state, solve);
   if (continuation_steps(m, changes) > max_continuation_steps) return ContinuationEnd::too_long;
   if (move_drivers(m, changes, state, solve)) return ContinuationEnd::reached;
-  std::vector<double> whole;  // where the short way is blocked, the long one may not be
+  std::vector<double> whole;  // changes with whole turns: that way may be free
   for (const Driver& d : m.drivers) {
     const int driven = m.entities[d.coordinate].first;
     whole.push_back(to.q[driven] - start.q[driven]);

@@ -16,7 +16,7 @@ bool whole_turns_count(const Model& model);
 /// angles are left out, unless couplings count them.
 std::vector<double> driver_changes(const Model& model, const State& from, const State& to);
 
-/// Returns the number of steps of a continuation in which none fails. changes: of the drivers, by
+/// Returns the number of steps of a continuation, if no step fails. changes: of the drivers, by
 /// driver_changes(). Where couplings count whole turns, drivers turn by at most 0.1 rad in a step.
 int continuation_steps(const Model& model, std::span<const double> changes);
 
@@ -39,8 +39,8 @@ enum class ContinuationEnd {
 ///   whether it could. The first call is at the state itself, to find its branches
 /// A failed step is halved, down to a sixteenth. Where more than max_continuation_steps would be
 /// needed, turns that lead back (is_back()) are left out first. Where the way without whole turns
-/// is blocked, the way with them is tried, unless it takes more steps than that. Not for timed
-/// loops.
+/// is blocked, the way with them is tried, unless it takes more than max_continuation_steps. Not
+/// for timed loops.
 ContinuationEnd continue_drivers_to(
     const Model& model, const State& to, State& state,
     const std::function<bool(State&, std::span<const double> last)>& solve);

@@ -73,9 +73,10 @@ class PartSequence {
 
   /// Fixes where results go (see PartOutputs).
   /// - observed: on entry, whether each position in the state is read outside the parts; on return,
-  ///   whether anybody reads it
+  ///   whether anybody reads it, a part or the prediction included
+  /// - places: see PartOutputs::places
   void bind(std::vector<bool>& observed, std::span<int> places);
-  /// Do as ResidentPart says, with every moving part that is resident.
+  /// Call the function of the same name of every moving part that is resident (ResidentPart).
   void begin_step(const StepHistory& history, const MotionRow& row);
   void deliver(const OutputView& output, Level level) const;
   void store(State& state) const;

@@ -7,9 +7,10 @@ namespace desmo {
 /// Goes from one time to another in sub-steps, and returns whether `to` was reached.
 /// - go(t): goes to time t; returns whether it could
 /// - max_tries: largest number of calls of go
-/// A failed sub-step is halved, down to 2⁻¹⁰ of the whole; after a success the next is twice as
-/// long. Returns false where sub-steps become shorter or tries are used up. Returns false, too,
-/// where `from` or `to` is not finite, or no double lies between two times.
+/// The first sub-step is half of the whole. A failed one is halved, down to 2⁻¹⁰ of the whole;
+/// after a success the next is twice as long. Returns false where sub-steps would become shorter or
+/// tries are used up. Returns false, too, where `from` or `to` is not finite, or no double lies
+/// between two times.
 template <class Go>
 bool go_in_sub_steps(double from, double to, int max_tries, Go&& go) {
   if (!std::isfinite(to - from)) return false;  // halves of it would not end

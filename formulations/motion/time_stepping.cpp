@@ -11,7 +11,7 @@ namespace desmo {
 
 namespace {
 
-/// Returns the tolerance of the whole from those of the parts: the norm, since ‖Φ‖₂ is one.
+/// Returns the tolerance of the whole mechanism: ‖Φ‖₂ where each part's is at its tolerance.
 double norm_of_tolerances(const std::vector<DefinedPart>& parts) {
   double norm = 0;
   for (const DefinedPart& part : parts) norm = std::hypot(norm, part.tolerance);

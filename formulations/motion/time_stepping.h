@@ -25,18 +25,18 @@ namespace desmo {
 /// in single_instants.cpp.
 class TimeStepping final : public Formulation {
  public:
-  /// settings: the same that the parts were made with. executor: solves the segments of a motion at
-  /// once; where they do not meet, or without it, steps solve the motion. The model outlives this
-  /// object.
+  /// settings: the same that the parts were made with. executor: solves motions in segments; null:
+  /// all motions are solved step by step, as are those whose segments do not meet. The model
+  /// outlives this object.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings,
                std::unique_ptr<SegmentExecutor> executor = nullptr);
 
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
 
-  /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
+  /// Goes to time t [s] of the motion without solving the instants before, by continuation. Drivers
   /// move linearly from the positions q to where they are at t. q: Model::coordinates() values or
-  /// more, solved at another instant. A step goes on from there, in sub-steps where it has to.
-  /// Returns false where the position cannot be reached; the next step then assembles.
+  /// more, solved at another instant. The next step goes on from the position at t. Returns false
+  /// where the position cannot be reached; the next step then assembles.
   bool start_at(std::span<const double> q, double t);
 
   /// Runs like run() without a stride, from the position that start_at() reached. Returns nothing
@@ -46,9 +46,9 @@ class TimeStepping final : public Formulation {
 
   /// Solves an instant like step(), with driver values from a row instead of the motions. Takes at
   /// most max_sub_steps sub-steps, in which drivers move linearly from their last positions to the
-  /// row. Takes nothing from the heap unless it assembles or follows a run(). So a failure names
-  /// the group at most, and no constraint. The row is not checked. LiveRun checks it, and can prove
-  /// the result.
+  /// row. Takes nothing from the heap unless it assembles or follows a run(). So a failure names no
+  /// constraint, and the group only where the failed part has a single one. The row is not checked.
+  /// LiveRun checks it, and can prove the result.
   Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps);
 
   /// Returns to positions q that were solved before, at time t [s]; the next row starts there.
@@ -118,7 +118,7 @@ class TimeStepping final : public Formulation {
   std::optional<ReadCoordinates> read_outside_;
   OutputWriter output_;        // writes what no part delivers
   SolvedState now_, before_;   // the instant solved last, and the one before it
-  std::vector<double> start_;  // positions from which a step is tried again
+  std::vector<double> start_;  // positions at the start of a step that is taken in sub-steps
   Failure failure_;
   bool assembled_ = false;  // now_ has positions at its time, whatever is known of rates
   std::unique_ptr<SegmentExecutor> executor_;

@@ -19,8 +19,8 @@ namespace desmo {
 /// the branches are those of its solution.
 class ExplicitPart final : public Part {
  public:
-  /// bound: inputs and dimensions of the part, also those of `kernel`. weights: 1/magnitude of
-  /// each equation (see magnitudes.h).
+  /// bound: inputs and dimensions of the part; `kernel` takes the same in the same order. weights:
+  /// 1/magnitude of each equation (see magnitudes.h).
   ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound,
                std::span<const double> weights, const PartSettings& settings,
                std::unique_ptr<Part> fallback);
@@ -43,8 +43,8 @@ class ExplicitPart final : public Part {
   const ExplicitBinding<double>& binding() const { return binding_; }
   /// Returns the positions in the state that the kernel reads or writes.
   std::span<const int> places() const { return inputs_; }
-  std::size_t constants() const { return constants_; }
-  std::size_t equations() const { return equations_; }
+  std::size_t constants() const { return constants_; }  ///< number of dimensions
+  std::size_t equations() const { return equations_; }  ///< number of equations
   /// Returns the branches kept: the sign of each square root, ±1, in the order of
   /// ExplicitKernel::branches; 0 before any position.
   std::span<const double> branches() const { return {branch_, kernel_.branches.size()}; }
@@ -69,8 +69,8 @@ class ExplicitPart final : public Part {
   };
   std::vector<Known> at_end_;  // values of known_ at the end of the step, kept by continue_torn()
   std::size_t constants_, equations_;
-  std::vector<double> numbers_;  // arrays of binding_ except `in`, and branch_before_
-  double *branch_, *branch_before_;
+  std::vector<double> numbers_;      // arrays of binding_ except `in`, and branch_before_
+  double *branch_, *branch_before_;  // branches now, and before a fallback
   std::span<double> anchors_;
 };
 

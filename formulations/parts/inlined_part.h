@@ -9,8 +9,9 @@
 namespace desmo {
 
 /// A group or block solved by generated code throughout: equations, elimination in up to three
-/// pivot orders fixed at generation time, and substitution. When none has large pivots and
-/// converges, the step is left to `fallback`, which pivots (PartCounts::fallbacks).
+/// pivot orders fixed at generation time, and substitution. The step is left to `fallback`, which
+/// pivots, where Newton's method converges in none of these orders or each has too small pivots for
+/// rates (PartCounts::fallbacks).
 class InlinedPart final : public Part {
  public:
   /// weights: 1/magnitude of each equation (see magnitudes.h).
@@ -30,6 +31,7 @@ class InlinedPart final : public Part {
   }
 
  private:
+  /// Makes one more iteration, in the first pivot order. iterations: number of those before it.
   InlinedResult once_more(State& state, int iterations) const;
 
   BoundKernel bound_;

@@ -21,10 +21,10 @@ namespace desmo {
 ///   converges linearly. A step after one that ended at the level of positions makes factors in its
 ///   first iteration.
 ///
-/// Old factors are watched by the rate ρ = ‖Φ‖ / ‖Φ‖ before. They are replaced where
-/// LinearSolver::break_even_solves more corrections at that rate would not meet the tolerance.
-/// (‖Φ‖ is what is compared with the tolerance, it has one unit, and its rate is known one solve
-/// earlier than that of ‖Δφ‖.)
+/// The rate of old factors is ρ = ‖Φ‖ after a correction / ‖Φ‖ before it. They are replaced where
+/// LinearSolver::break_even_solves more corrections at that rate would not meet the tolerance. (The
+/// tolerance is a limit of ‖Φ‖, whose components have one unit. The rate of ‖Φ‖ is known one solve
+/// earlier than that of the corrections ‖Δφ‖.)
 ///
 /// A step calls, in this order:
 /// 1. begin_position()
@@ -61,7 +61,8 @@ class JacobianFactors {
     last_correction_ = Correction::none;
   }
 
-  /// Returns whether the last correction came from old factors and led away from the solution.
+  /// Returns whether the last correction came from old factors and led away from the solution. Then
+  /// ‖Φ‖ is neither below the tolerance nor smaller than before. residual: weighted ‖Φ‖ now.
   bool led_away(double residual) const {
     return corrects_with_old() && !(residual < tolerance_) && !(residual < last_residual_);
   }
@@ -72,8 +73,8 @@ class JacobianFactors {
     last_correction_ = Correction::none;
   }
 
-  /// Chooses the factors of the next correction: those at hand, or new ones at q. Returns false
-  /// where Φ_φ is singular.
+  /// Chooses the factors of the next correction: those at hand, or new ones at q. residual:
+  /// weighted ‖Φ‖ at q. Returns false where Φ_φ is singular.
   [[gnu::always_inline]] bool prepare_correction(const double* q, double residual) {
     const bool keeps = update_ != JacobianUpdate::newton && has_factors_ &&
                        (last_correction_ == Correction::none || are_fast_enough(residual));
@@ -87,8 +88,8 @@ class JacobianFactors {
   /// Ends a step at the level of positions: its factors do not serve the next one.
   void end_at_position() { has_factors_ = false; }
 
-  // Members marked always_inline are called in every iteration of small parts. The compiler would
-  // decide otherwise as soon as the surroundings change.
+  // Members marked always_inline are called in every iteration of small parts. Without the mark,
+  // whether the compiler inlines them depends on the code around.
 
   /// Evaluates Φ_φ at q and factorises it. Returns false where it is singular.
   [[gnu::always_inline]] bool factor_at(const double* q) {

@@ -21,7 +21,8 @@ struct PartContext {
   /// Kernels of the symbolic equations, by bind_kernels(). Without them the equations are
   /// automatic.
   std::optional<std::vector<BoundKernel>> kernels;
-  /// Settings of the analysis, for the linear solver. The tolerance among them is not the part's.
+  /// Settings of the analysis, for the linear solver and frames. The part's own tolerance is in
+  /// `settings`.
   const Settings& analysis;
   PartSettings settings;
   Profile* profile = nullptr;        ///< receives the times of phases; null: nothing is measured

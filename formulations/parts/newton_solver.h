@@ -14,15 +14,16 @@
 
 namespace desmo {
 
-/// The rule that accepts a position. It accepts the first one below the limits, whatever factors
-/// led there. At the rounding floor it asks for one more correction first, unless all iterations
-/// are done.
+/// The rule that accepts a position, whatever factors led there. It accepts the first one whose ‖Φ‖
+/// is below PartSettings::stop. After the last iteration, PartSettings::accept is the limit. With
+/// PartSettings::at_rounding one more correction is made first, unless all iterations are done.
 class Acceptance {
  public:
   explicit Acceptance(const PartSettings& limits)
       : limits_(limits), is_last_(!limits.at_rounding) {}
 
-  /// Returns whether the position is accepted. Notes that a limit was met.
+  /// Returns whether the position is accepted. Notes that a limit was met. residual: weighted ‖Φ‖
+  /// of the position; iterations: number of those that led to it.
   bool update(double residual, int iterations) {
     const bool is_over = iterations == limits_.max_iterations;
     if (!(residual < (is_over ? limits_.accept : limits_.stop))) return false;
@@ -63,9 +64,6 @@ class NewtonSolverOf final : public Part {
         correction_(pattern_.n),
         start_(pattern_.n),
         frames_(std::move(frames)) {}
-
-  NewtonSolverOf(const NewtonSolverOf&) = delete;
-  NewtonSolverOf& operator=(const NewtonSolverOf&) = delete;
 
   void forget() override { frames_.forget(); }
   void end_assembly() override { frames_.end_assembly(); }

@@ -13,7 +13,8 @@ class PartUnknowns {
   /// unknowns: their positions in the state, ascending; the array outlives this object.
   explicit PartUnknowns(std::span<const int> unknowns)
       : unknowns_(unknowns), ranges_(ranges_of(unknowns)) {
-    constexpr std::size_t min_mean = 8;  // minimum mean length of ranges; shorter loops cost more
+    // minimum mean length of ranges (≥): loops over shorter ones cost more than looking indices up
+    constexpr std::size_t min_mean = 8;
     if (ranges_.size() * min_mean > unknowns.size()) ranges_.clear();
   }
 

@@ -108,6 +108,19 @@ TEST(Reference, ADifferenceOfOneOutputShowsInTheFloor) {
   EXPECT_NEAR(d.acceleration, 1e-22 / 5, 1e-26);
 }
 
+TEST(Reference, NoticesACorrectionThatIsNoNumber) {
+  for (const Case& c : cases()) {
+    const Model m = make_model(make_scene(c, c.sizes.front()));
+    GroupwiseSolver<double> groups(m);
+    for (const PartDefinition& part : make_partition(m, Partition::group)) {
+      std::vector<double> q = m.estimate;
+      q[part.unknowns.front()] = NAN;
+      groups.place(q);
+      EXPECT_TRUE(std::isnan(groups.correct_positions())) << c.name;
+    }
+  }
+}
+
 TEST(Reference, KeepsWhatRoundingLeft) {
   const Model m = make_model(library_scene("slider_crank"));
   const auto r = reference_solution(m, std::vector{0.0, 0.1}, Precision::quadruple)[1];

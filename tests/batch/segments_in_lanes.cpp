@@ -1,15 +1,19 @@
 // Segments of a motion solved at once: the same instants as step by step, or step by step after
 // all.
 
+#include "formulations/batch/segments_in_lanes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cases/generators/cases.h"
 #include "formulations/base/output_writer.h"
+#include "formulations/equations/kernel_table.h"
 #include "formulations/motion/internals.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
@@ -91,6 +95,8 @@ TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   EXPECT_TRUE(stopped.ok() && stopped.stopped);
   EXPECT_EQ(stopped.instants, 20L * GetParam().segments + 1);
   EXPECT_EQ(lender.instants, stopped.instants);
+  EXPECT_GT(stopped.residual, 0);
+  EXPECT_LE(stopped.residual, f->tolerance());
   EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
 }
 
@@ -102,6 +108,46 @@ TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const TimeGrid grid = time_grid(0.2, 0.01);
   EXPECT_EQ(everything_of(*f, grid).order.size(), static_cast<std::size_t>(grid.instants));
   EXPECT_EQ(stepping_of(*f).runs_without_segments(), 1);
+}
+
+/// A part that compares the last positions of a step, those of all coordinates, with where it was.
+class Remembering final : public Part {
+ public:
+  Remembering(Part& part, int& steps) : part_(part), steps_(steps) {}
+  PartResult solve(State& s, std::span<const double> last, Level level) override {
+    if (level == Level::acceleration) {
+      EXPECT_TRUE(std::ranges::equal(last, now_));
+      ++steps_;
+    }
+    const PartResult result = part_.solve(s, last, level);
+    now_ = s.q;
+    return result;
+  }
+
+ private:
+  Part& part_;
+  int& steps_;
+  std::vector<double> now_;
+};
+
+TEST(SegmentsInLanes, TellPartsAllPositionsOfTheInstantBefore) {
+  const Model m = four_bar_model(2);
+  const auto f = formulated("global_automatic_eigen", m);
+  std::vector<std::unique_ptr<Formulation>> solvers;
+  std::vector<SegmentsInLanes::Parts> lanes(4);
+  int steps = 0;
+  for (SegmentsInLanes::Parts& parts : lanes) {
+    solvers.push_back(formulated("global_automatic_eigen", m));
+    for (const DefinedPart& p : parts_of(*solvers.back()))
+      parts.push_back({p.definition, std::make_unique<Remembering>(*p.solver, steps)});
+  }
+  SegmentsInLanes motion(m, std::move(lanes), Settings{}, KernelTable::built_in());
+  ASSERT_TRUE(f->assemble(0).ok());
+  State state = stepping_of(*f).state();
+  const TimeGrid grid = time_grid(1, 0.01);
+  Lender lender(grid.instants, {7}, Level::position);
+  static_cast<void>(motion.run(grid, {.coordinates = std::vector{7}}, state, lender));
+  EXPECT_GT(steps, 8);
 }
 
 /// Runs that are never what they should be.

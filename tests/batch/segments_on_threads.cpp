@@ -173,6 +173,38 @@ TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
   EXPECT_FALSE(motion.run(grid, {.coordinates = std::vector{1}}, state, lender));
 }
 
+/// A part that does not solve its tenth step.
+class Refusing final : public Part {
+ public:
+  explicit Refusing(Part& part) : part_(part) {}
+  PartResult solve(State& s, std::span<const double> last, Level level) override {
+    if (level == Level::acceleration && ++steps_ == 10) return {.status = Status::not_converged};
+    return part_.solve(s, last, level);
+  }
+
+ private:
+  Part& part_;
+  int steps_ = 0;
+};
+
+TEST(SegmentsOnThreads, CountsSubSteps) {
+  const Model m = four_bar_model(1);
+  const auto f = formulated("global_automatic_eigen", m);
+  std::vector<DefinedPart> parts;
+  for (const DefinedPart& p : parts_of(*f))
+    parts.push_back({p.definition, std::make_unique<Refusing>(*p.solver)});
+  std::vector<std::unique_ptr<TimeStepping>> workers;
+  workers.push_back(std::make_unique<TimeStepping>(m, std::move(parts), Settings{}));
+  SegmentsOnThreads motion(std::move(workers), 16);
+  ASSERT_TRUE(f->assemble(0).ok());
+  State state = stepping_of(*f).state();
+  const TimeGrid grid = time_grid(0.2, 0.01);
+  Lender lender(grid.instants, {1}, Level::position);
+  const auto total = motion.run(grid, {.coordinates = std::vector{1}}, state, lender);
+  ASSERT_TRUE(total);
+  EXPECT_EQ(total->sub_steps, 2);
+}
+
 TEST(SegmentsOnThreads, StopsWhereTheObserverStops) {
   const Model m = truck_model(2);
   const auto f = formulated("group_symbolic_explicit/threads:2", m);

@@ -33,6 +33,7 @@ class DriverSource {
   /// drivers move linearly to the row's positions. start, from: time [s] and positions of the last
   /// instant, where that motion begins.
   void hand_in(const LiveRow& row, double start, const State& from);
+  /// Goes back to the motions.
   void hand_back() { is_live_ = false; }
   bool is_live() const { return is_live_; }
 
@@ -75,7 +76,7 @@ class DriverSource {
   MotionsAhead motions_;
   MotionRow row_{};
   std::vector<HandedIn> handed_in_;   // source of each place in the row
-  LaneState live_, between_;          // row handed in, at its own time; row at another time
+  LaneState live_, between_;          // the row handed in; the row between start_ and its time
   LaneValues from_;                   // positions at start_, by place in the row
   double live_time_ = 0, start_ = 0;  // times of live_ and from_ [s]
   bool is_live_ = false;

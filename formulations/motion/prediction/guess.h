@@ -17,18 +17,19 @@ std::string_view guess_name(Guess guess);
 /// Returns the names of all guesses, in the order of Guess.
 std::vector<std::string_view> guess_names();
 
-/// Limit of the ratio of a step to the one before it (<). At and above it, earlier instants do not
-/// predict the step. At 4 the quintic magnifies errors of their positions 10,000 times, and at 10 a
-/// million times.
+/// Limit of the ratio of a step to the one before it (<). At and above it, the last instant alone
+/// predicts the step. At 4 the quintic of hermite5 magnifies errors of positions 10,000 times, and
+/// at 10 a million times.
 inline constexpr double max_step_growth = 4;
 
-/// Knowledge of a predictor about the two instants before the one sought.
+/// Knowledge of a predictor about the last instant and the one before it.
 struct StepHistory {
-  double h;                             ///< time from the last instant to the predicted one [s]
-  double h_before;                      ///< time from the instant before to the last one [s]
-  std::optional<Level> last, before{};  ///< levels to which they were solved; nothing: unknown
+  double h;         ///< time from the last instant to the predicted one [s]
+  double h_before;  ///< time from the instant before to the last one [s]
+  /// levels to which the last instant and the one before were solved; nothing: unknown
+  std::optional<Level> last, before{};
 
-  /// Returns the history of coordinates that are solved up to this level only.
+  /// Returns the history of coordinates that are solved no higher than this level.
   StepHistory up_to(Level level) const {
     if (level == Level::acceleration) return *this;
     const auto cut = [&](std::optional<Level> l) { return l ? std::min(*l, level) : l; };
@@ -37,8 +38,9 @@ struct StepHistory {
 };
 
 /// Returns the best guess that the history allows, in the order previous, linear, quadratic,
-/// hermite3, hermite5, and at most the one wanted. Two instants much closer together than the step
-/// is long count as one: their difference is mostly rounding.
+/// hermite3, hermite5, and at most the one wanted. Only `last` counts where the two instants are
+/// much closer together than the step is long (max_step_growth): their difference is mostly
+/// rounding.
 Guess best_guess(Guess wanted, const StepHistory& history);
 
 /// A guess as a weighted sum. The weights are computed once a step; each coordinate then takes a
@@ -52,20 +54,20 @@ class Extrapolation {
   /// Writes the predicted coordinates of some ranges into q, which may be the q of `last` or
   /// `before`. last, before: states in single numbers or in lanes; only what the guess needs of
   /// them is read.
-  template <class States, class T>
+  template <class States>
   void operator()(std::span<const IndexRange> ranges, const States& last, const States& before,
-                  T* q) const;
+                  double* q) const;
 
  private:
   Guess guess_;
   double w_q_ = 0, w_v1_ = 0, w_a1_ = 0, w_v0_ = 0, w_a0_ = 0;
 };
 
-template <class States, class T>
+template <class States>
 void Extrapolation::operator()(std::span<const IndexRange> ranges, const States& last,
-                               const States& before, T* q) const {
-  const T *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
-  const T *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
+                               const States& before, double* q) const {
+  const double *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
+  const double *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
   const double w_q = w_q_, w_v1 = w_v1_, w_a1 = w_a1_, w_v0 = w_v0_, w_a0 = w_a0_;
   // Many ranges are single coordinates, for which a loop on wide registers takes long to begin.
   const auto write = [&](auto expected) {

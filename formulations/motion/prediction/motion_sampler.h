@@ -26,12 +26,13 @@ PlacedMotions in_order(std::vector<const Motion*> motions);
 struct SampleStrides {
   int of_place = 1, of_time = 1;  ///< at least one of them is 1
 };
+/// Lays the samples of a motion at all times next to each other, place after place.
 inline SampleStrides side_by_side(int times) { return {.of_place = times}; }
+/// Lays the samples of all motions at one time next to each other, in a row of this length.
 inline SampleStrides in_rows(int of_row) { return {.of_time = of_row}; }
 
 /// Samples several motions at one time or at several. A term a sin(ωt + φ) of a harmonic sum is
-/// taken apart into a cos φ sin ωt + a sin φ cos ωt: motions of one frequency share sine and
-/// cosine.
+/// evaluated as a cos φ sin ωt + a sin φ cos ωt. So motions of one frequency share sine and cosine.
 class MotionSampler {
  public:
   /// times: number of times in a call, one or a multiple of four. The motions outlive the sampler,
@@ -43,18 +44,17 @@ class MotionSampler {
   void operator()(std::span<const double> times, double* z, double* zd, double* zdd);
 
  private:
-  /// The terms of one frequency in four motions, a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt.
-  /// frequency: index of ω. The factors are also stored multiplied by ω and by ω². A motion without
-  /// the frequency has zeros.
+  /// The terms of one angular frequency ω in four motions: of_sine sin ωt + of_cosine cos ωt. The
+  /// factors are also stored multiplied by ω and by ω². A motion without the frequency has zeros.
   struct Term {
-    int frequency;
+    int frequency;  // index of ω in frequencies_
     std::array<double, 4> of_sine{}, of_cosine{}, w_of_sine{}, w_of_cosine{}, w2_of_sine{},
         w2_of_cosine{};
   };
   /// Four motions, of the same frequencies where possible. Where fewer are left, the last is
   /// repeated.
   struct Sums {
-    int size;
+    int size;  // number of motions without the repeated ones
     std::array<int, 4> place;
     bool in_order;  // the four places follow each other
     std::array<double, 4> mean;
@@ -73,7 +73,8 @@ class MotionSampler {
   SampleStrides strides_;
   std::vector<int> others_;  // positions of motions that are no harmonic sum
   std::vector<Sums> sums_;
-  // distinct [rad/s]; for one time, padded with zeros to a multiple of four
+  // distinct angular frequencies [rad/s]; where calls have one time, padded with zeros to a
+  // multiple of four
   std::vector<double> frequencies_;
   std::vector<double> sines_, cosines_;  // sine and cosine of ωt: by frequency, then time
 };

@@ -22,7 +22,7 @@ struct MotionRow {
 int whole_lines(std::size_t numbers);
 
 /// Sampler of several motions, at one time after the other. Where the times are known in advance,
-/// as those of a grid, it samples eight instants at once: eight sines cost hardly more than one,
+/// as those of a grid, it samples eight instants at once. Eight sines cost hardly more than one,
 /// and a step need not wait for them.
 class MotionsAhead {
  public:

@@ -20,10 +20,9 @@ class Predictor {
     if (wanted_ == Guess::adams8) history_.emplace(ranges_);
   }
 
-  /// Writes the predicted coordinates into q.
-  /// - last, before: the two instants before the one sought; q may be the q of either. The
-  ///   predictor keeps what it needs of earlier instants itself, each from the call in which it was
-  ///   `last`.
+  /// Writes the predicted coordinates into q. For adams8 the predictor itself keeps rates of
+  /// earlier instants: it copies those of `last` in every call.
+  /// - last, before: the last instant and the one before it; q may be the q of either
   template <class States>
   void operator()(const StepHistory& history, const States& last, const States& before, double* q) {
     if (history_) {

@@ -24,18 +24,21 @@ class RateHistory {
   explicit RateHistory(std::span<const IndexRange> ranges);
 
   void forget() { known_ = 0, newest_ = 0; }
-  /// Remembers the rates of the last instant, `interval` [s] after the one remembered before it,
-  /// and writes the positions predicted for a step of h [s] into q, which may be `last`: the last
-  /// positions. Returns false and writes nothing where too little is known: intervals must have one
-  /// sign, and none be short compared with the step.
+  /// Remembers the rates of the last instant, and predicts the positions after a step.
+  /// - interval: time from the instant remembered before to the last one [s]
+  /// - h: the step [s]
+  /// - last, qd, qdd: positions and rates of the last instant
+  /// - q: overwritten by the predicted positions; may be `last`
+  /// Returns false and leaves q alone where fewer than four instants are known, h is 0, intervals
+  /// have different signs, or one is short compared with h (max_step_growth).
   bool predict(double interval, double h, const double* last, const double* qd, const double* qdd,
                double* q);
 
  private:
   /// Intervals [s] before the last instant, before the one before it, and so on.
   using Intervals = std::array<double, instants - 1>;
-  /// Weights of the instants, by place in `rates_`. Rates stand there in a ring, so the weights are
-  /// laid out twice around: those of all instants follow each other from any place on.
+  /// Weights of the four instants, the oldest first, then the first three of them again. `rates_`
+  /// is a ring: in its order, too, the weights follow each other, from element 3 − newest_ on.
   using Weights = std::array<double, 2 * instants - 1>;
   bool weigh(double h);
   struct Change;

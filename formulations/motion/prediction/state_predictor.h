@@ -19,8 +19,8 @@ class StatePredictor {
   /// guess: the one wanted. parts: all parts; inputs of the moving ones are predicted.
   StatePredictor(Guess guess, std::span<const DefinedPart> parts);
 
-  /// Writes predicted positions into state.q, from the last instant and the one before it. `state`
-  /// may be `before`; of both only what the predictor needs is read.
+  /// Writes predicted positions into state.q. last, before: the last instant and the one before it,
+  /// of which only what the prediction needs is read. `state` may be `before`.
   void operator()(const StepHistory& history, const State& last, const State& before,
                   State& state) {
     for (std::size_t level = 0; level < of_level_.size(); ++level)

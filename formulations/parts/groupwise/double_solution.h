@@ -11,7 +11,7 @@
 namespace desmo {
 
 /// Solves a motion at ascending instants [s] in double precision, group by group with dense
-/// matrices, on the branch of the drawing (DrawnStart): reference_solution() with
+/// matrices, on the branch of the drawing (DrawnStart). This is reference_solution() with
 /// Precision::standard, for programs without quadruple precision. Throws std::runtime_error, naming
 /// the group and the instant, when Newton's method does not converge.
 std::vector<ReferenceInstant> double_solution(const Model& model, std::span<const double> times);

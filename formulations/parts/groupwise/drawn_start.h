@@ -15,10 +15,11 @@
 namespace desmo {
 
 /// Assembly of a solution at its first instant, on the branch that the model's estimate, the
-/// drawing, declares. Short steps lead there. The first ones follow Newton's homotopy Φ = (1 − λ)
-/// Φ(drawing) with the drivers as drawn. In the others, drivers move linearly to their first
-/// values. A step is accepted if Newton's method contracts from its prediction at once; otherwise
-/// it is halved. Solver: a solver of all positions in double, such as GroupwiseSolver<double>.
+/// drawing, declares. Short steps lead there. The first ones follow Newton's homotopy
+/// Φ = (1 − λ) Φ(drawing), λ from 0 to 1, with the drivers as drawn. In the others, drivers move
+/// linearly to their first values. A step is accepted if Newton's method contracts from its
+/// prediction at once; otherwise it is halved. Solver: a solver of all positions in double, such as
+/// GroupwiseSolver<double>.
 template <class Solver>
 class DrawnStart {
  public:
@@ -39,8 +40,8 @@ class DrawnStart {
     }
   }
 
-  /// Returns the positions there; nothing where no steps lead there. Angles that are neither driven
-  /// nor coupled are changed by whole turns to the values nearest to the drawing.
+  /// Returns the positions at the first instant; nothing where no steps lead there. Angles that are
+  /// neither driven nor coupled are changed by whole turns to the values nearest to the drawing.
   std::optional<std::vector<double>> find() {
     solver_.set_homotopy(1);
     const auto solve_drawing = [&](double s) { solver_.set_homotopy(1 - s); };
@@ -66,7 +67,8 @@ class DrawnStart {
   /// Maximum change (≤) of a driver in a step, and of a coordinate by the first correction,
   /// relative to nominal magnitudes.
   static constexpr double max_change = 0.1;
-  // maximum number of turns made by a driver; where it is exceeded, none are, unless turns count
+  /// Maximum number of turns (≤) that a driver makes. One that is farther from its first value
+  /// leaves out whole turns, unless couplings count them.
   static constexpr double max_turns = 4;
   static constexpr double settled = 1e-9;  // relative correction (≤) that ends an iteration
 
@@ -99,7 +101,7 @@ class DrawnStart {
     return true;
   }
 
-  /// Returns whether the corrections contract until one is at most `settled`: the first is at most
+  /// Returns whether the corrections contract until one is at most `settled`. The first is at most
   /// max_change, each other one at most a quarter of the one before.
   bool contracts() {
     double limit = max_change;
@@ -123,9 +125,9 @@ class DrawnStart {
   double farthest_ = 0;  // largest |change|, relative to nominal magnitudes
 };
 
-/// Puts a solver that is at the model's estimate where Newton's method is to begin at a time [s].
-/// Leaves it at the estimate if Newton's method leads from there to the end of the short steps
-/// (DrawnStart), or these are blocked. Otherwise puts it at the end of the short steps.
+/// Sets where Newton's method is to begin at a time [s]. solver: at the model's estimate. It stays
+/// there where Newton's method leads from the estimate to the end of DrawnStart's short steps, or
+/// these are blocked. Otherwise it is put at the end of the short steps.
 template <class Solver>
 void begin_on_drawn_branch(Solver& solver, const Model& m, double time) {
   std::vector<double> drivers;

@@ -19,17 +19,19 @@ class GroupwiseSolver : public ReferenceSolver<S> {
   /// Starts at the model's initial estimate. The model must outlive the solver.
   explicit GroupwiseSolver(const Model& model);
 
-  /// Makes later calls solve Φ = share · Φ₀, where Φ₀ is Φ at the positions of the first call.
+  /// Makes later calls solve Φ = share · Φ₀, where Φ₀ is Φ at the positions of the first
+  /// set_homotopy().
   void set_homotopy(double share);
   /// Makes one correction by Newton's method, group after group. Returns its largest component
-  /// relative to the nominal magnitude.
+  /// relative to the nominal magnitude; NaN or infinity where a group is singular.
   double correct_positions();
 
   /// Solves the positions at time t [s] as accurately as S allows, from the present ones. Throws
   /// std::runtime_error, naming the group and the instant, when Newton's method does not converge.
   void solve_positions(double t);
 
-  /// Solves velocities and accelerations at the positions solved last.
+  /// Solves velocities and accelerations at the positions solved last. They are not finite where a
+  /// group is singular.
   void solve_rates();
 
  private:

@@ -2,6 +2,7 @@
 // groupwise_quadruple.cpp of verification/reference.
 #pragma once
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -37,7 +38,7 @@ double GroupwiseSolver<S>::correct_positions() {
   double largest = 0;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     const double correction = correct(part);
-    if (!(correction <= largest)) largest = correction;  // NaN is kept
+    if (correction > largest || std::isnan(correction)) largest = correction;
   }
   return largest;
 }

@@ -64,7 +64,7 @@ class ReferenceSolver {
   }
 
   /// Subtracts a correction of some unknowns from the positions or from one of their rates. Returns
-  /// its largest component relative to the nominal magnitude of the coordinate.
+  /// its largest component relative to the nominal magnitude of the coordinate; NaN if one is NaN.
   double subtract(std::span<const S> step, const std::vector<int>& unknowns,
                   std::vector<S>& values) const {
     double largest = 0;
@@ -72,7 +72,7 @@ class ReferenceSolver {
       const int i = unknowns[j];
       values[i] -= step[j];
       const double relative_step = std::abs(static_cast<double>(step[j])) / magnitude_[i];
-      if (!(relative_step <= largest)) largest = relative_step;  // NaN is kept
+      if (relative_step > largest || std::isnan(relative_step)) largest = relative_step;
     }
     return largest;
   }

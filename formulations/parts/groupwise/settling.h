@@ -6,9 +6,9 @@
 namespace desmo {
 
 /// Stopping rule of a Newton iteration: tells when only the rounding of S is left. It looks at the
-/// sizes of the corrections, relative to nominal magnitudes. They are below 1000 ε, or below √ε and
-/// above half the one before: conditioning allows no better. Unlike a bound on ‖Φ‖ it does not
-/// depend on units.
+/// sizes of the corrections, relative to nominal magnitudes. With the machine epsilon ε of S, the
+/// last one is below 1000 ε, or it is below √ε and above half the one before. The latter means that
+/// conditioning allows no better. Unlike a bound on ‖Φ‖ the rule does not depend on units.
 template <class S>
 class Settling {
  public:
