@@ -75,7 +75,8 @@ class Sampler final : public Observer {
 std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& grid) {
   const TimeGrid coarse = with_few_steps(grid);
   Sampler sampler(m, coarse.instants);
-  const auto f = make_formulation(find_variant("group_automatic_klu"), m, {.tolerance = tolerance});
+  const auto f = make_formulation(find_variant("group_automatic_klu"), m,
+                                  {.tolerance = tolerance, .coordinates = m.modelling});
   // Where the run fails, the states before remain.
   static_cast<void>(f->run(coarse, Request{Level::position}, sampler));
   return std::move(sampler.states);
@@ -102,7 +103,7 @@ std::vector<PartDefinition> parts_refused(const Variant& v, const Model& m, cons
                                           const KernelTable& table) {
   std::vector<PartDefinition> result;
   if (!v.is_generated()) return result;
-  const auto f = make_formulation(v, m, {}, table);
+  const auto f = make_formulation(v, m, {.coordinates = m.modelling}, table);
   RefusalObserver observer(*f);
   static_cast<void>(f->run(with_few_steps(grid), Request{Level::velocity}, observer));
   for (std::size_t i = 0; i < observer.refused.size(); ++i)
