@@ -115,8 +115,8 @@ void apply(std::string_view id, std::string_view text, std::vector<bool>& given,
                                 std::string(suffix.key) + ":'; there are: " + suffix.values);
   }
   throw std::invalid_argument(
-      "formulation " + in_quotes(id) + ": unknown suffix '/" + std::string(text) +
-      "'; there are, each followed by ':' and a value: " + joined(suffixes(), &Suffix::key));
+      "formulation " + in_quotes(id) + ": unknown suffix " + in_quotes("/" + std::string(text)) +
+      "; there are, each followed by ':' and a value: " + joined(suffixes(), &Suffix::key));
 }
 
 }  // namespace
