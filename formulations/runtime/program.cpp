@@ -60,10 +60,11 @@ pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
   const std::vector<char*> argv = null_terminated(arguments), envp = null_terminated(variables);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
+  // First: where our standard streams are closed, the folder's descriptor may have their numbers.
+  ::posix_spawn_file_actions_addfchdir_np(&actions, folder);
   ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
-  ::posix_spawn_file_actions_addfchdir_np(&actions, folder);
   posix_spawnattr_t attributes;
   ::posix_spawnattr_init(&attributes);
   set_attributes(attributes);
