@@ -67,7 +67,7 @@ struct KernelFile {
   const char* kind;     ///< name of that member, and end of the file's name: "lane_kernels"
   const char* headers;  ///< includes that its kernels need, as C++
   const char* row;      ///< type of the rows of its table
-  const char* lanes;    ///< parameter of the function that returns them
+  const char* lanes;    ///< parameter list of the function that returns them
   void (*write_kernel)(std::ostream&, const SampledType&);
   void (*write_row)(std::ostream&, const std::string& name, const PartType&);
 };

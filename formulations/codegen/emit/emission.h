@@ -73,7 +73,7 @@ class Emitter {
 };
 
 /// Returns the text that reads each position and rate of a part from arrays q, qd and qdd, by node.
-/// place: returns what follows the array's name for an input of the part, as "[in[3]]"
+/// place: returns what follows the array's name for an input of the part, as "[in[3]]".
 std::map<int, std::string> places_of(const RecordedPart& part,
                                      const std::function<std::string(int input)>& place);
 

@@ -12,6 +12,7 @@ namespace desmo::generate {
 
 namespace {
 
+/// Returns an expression with its nodes replaced that are in `done`. Adds all that it replaces.
 Expr replaced(Expr e, std::map<int, Expr>& done) {
   if (const auto it = done.find(e.id()); it != done.end()) return it->second;
   const Node n = Graph::current().node(e.id());
@@ -23,7 +24,7 @@ Expr replaced(Expr e, std::map<int, Expr>& done) {
   return done.emplace(e.id(), result).first->second;
 }
 
-/// Adds the nodes that an expression contains and that move.
+/// Adds to `seen` the nodes that an expression contains and that move.
 void collect(int id, std::set<int>& seen) {
   const Node& n = Graph::current().node(id);
   if (!n.moves || !seen.insert(id).second) return;
