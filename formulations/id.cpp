@@ -67,7 +67,7 @@ Suffix whole_number(std::string_view key, int Settings::*setting, int largest) {
                 [=](int n) { return n >= 1 && n <= largest; });
 }
 
-/// Returns the suffix of a number of lanes.
+/// Returns the suffix of Settings::lanes or Settings::segments. 1 means none.
 Suffix at_once(std::string_view key, int Settings::*setting) {
   return number(key, joined(lane_counts, [](int lanes) { return std::to_string(lanes); }), setting,
                 [](int n) { return n == 1 || std::ranges::count(lane_counts, n) > 0; });

@@ -12,6 +12,7 @@ namespace desmo {
 
 namespace {
 
+/// Returns the variants with these libraries, and those whose elimination is generated.
 std::vector<Variant> make_variants(std::span<const Backend* const> with) {
   std::vector<Variant> table;
   for (const auto& [partition, partition_name] :

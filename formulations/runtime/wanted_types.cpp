@@ -16,7 +16,7 @@ namespace {
 using generate::LibraryContents, generate::sample_count, generate::SampledType;
 
 constexpr int max_steps = 400;      // largest number of steps of a motion that is solved here
-constexpr double tolerance = 1e-6;  // setting for samples, of which only magnitudes count
+constexpr double tolerance = 1e-6;  // of sampled states: only magnitudes of their numbers count
 /// Largest number of unknowns of a part with generated code. The work of the generator and of the
 /// compiler grows faster than this number.
 constexpr std::size_t max_unknowns = 100;
@@ -82,8 +82,8 @@ std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& g
   return std::move(sampler.states);
 }
 
-/// An observer that keeps which parts of a formulation refused steps of a motion, up to the last
-/// instant that was solved.
+/// An observer that notes for each part of a formulation whether its generated code refused a step,
+/// up to the last instant that was solved.
 struct RefusalObserver final : Observer {
   explicit RefusalObserver(const Formulation& f) : parts(parts_of(f)), refused(parts.size()) {}
 
@@ -97,8 +97,8 @@ struct RefusalObserver final : Observer {
   std::vector<bool> refused;
 };
 
-/// Returns the parts whose code refuses steps of the motion. It was made for other mechanisms, with
-/// pivots and closed forms that suit those.
+/// Returns the parts whose code refuses steps of the motion: code that was made for another
+/// mechanism, with pivots and closed forms that suit that one.
 std::vector<PartDefinition> parts_refused(const Variant& v, const Model& m, const TimeGrid& grid,
                                           const KernelTable& table) {
   std::vector<PartDefinition> result;
