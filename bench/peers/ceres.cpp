@@ -117,6 +117,7 @@ class CeresPeer final : public Peer {
   explicit CeresPeer(const Model& m)
       : model_(m),
         rates_(make_formulation(find_variant(formulation_of_rates), m, settings_)),
+        // Slightly stricter than our parts, which then accept Ceres' positions without iterations.
         stop_(0.99 * settings_.tolerance /
               std::sqrt(static_cast<double>(parts_of(*rates_).size()))),
         options_(newton(stop_, settings_.max_iterations)),

@@ -68,8 +68,8 @@ std::string needless_flag(const KnownCase& p, const CaseRun& a) {
 }
 
 /// Returns the first step whose iterations differ by more than 1 from those of the row's first
-/// case, in words; empty: there is none. Steps without iterations there do not count: closed forms
-/// take none, but in extreme units a pivoting part may solve in their place.
+/// case, in words; empty: there is none. Steps for which the first case needs no iterations do not
+/// count: closed forms take none, but in extreme units a pivoting part may solve in their place.
 std::string other_iterations(const CaseRun& a, const CaseRun& first) {
   for (std::size_t i = 0; i < std::min(a.steps.size(), first.steps.size()); ++i)
     if (first.steps[i].iterations > 0 &&
