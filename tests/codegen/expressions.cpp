@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "formulations/codegen/emit/emission.h"
 #include "formulations/codegen/emit/kernel_source.h"
@@ -34,6 +36,16 @@ TEST_F(Expressions, FoldConstantsAndIdentities) {
   EXPECT_TRUE(graph.is((x * (1.0 / x)).id(), 1));
   EXPECT_TRUE((Expr(0) / x).is_zero());
   EXPECT_TRUE(graph.is((Expr(2) * 3.0 + sin(Expr(0))).id(), 6));
+}
+
+TEST_F(Expressions, AreInTheGraphOfTheirThread) {
+  const int size = graph.size();
+  std::thread([] {
+    Graph other(1);
+    EXPECT_TRUE(other.is((Expr(2) * 3.0).id(), 6));
+  }).join();
+  EXPECT_EQ(graph.size(), size);
+  EXPECT_THROW(Graph(1), std::logic_error);
 }
 
 TEST_F(Expressions, TellWhatTheyAreMultiplesOf) {

@@ -32,7 +32,7 @@ void collect(int id, std::set<int>& seen) {
   if (n.b >= 0) collect(n.b, seen);
 }
 
-Graph* current_graph = nullptr;
+thread_local Graph* current_graph = nullptr;
 
 double apply(Op op, double a, double b) {
   switch (op) {
@@ -70,7 +70,7 @@ bool is_power_of_two(double value) {
 }  // namespace
 
 Graph::Graph(int samples) : sample_count_(samples) {
-  if (current_graph) throw std::logic_error("one graph at a time");
+  if (current_graph) throw std::logic_error("a thread has one graph at a time");
   current_graph = this;
 }
 

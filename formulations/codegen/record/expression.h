@@ -46,13 +46,14 @@ struct Node {
 /// An elimination judges the sizes of its pivots by these values.
 class Graph {
  public:
-  /// Makes this the current graph until it is destroyed. samples: number of sample points. Throws
-  /// std::logic_error when another graph exists.
+  /// Makes this the calling thread's current graph until it is destroyed. samples: number of sample
+  /// points. Throws std::logic_error when the thread has another graph.
   explicit Graph(int samples);
   ~Graph();
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
 
+  /// Returns the calling thread's current graph, which must exist.
   static Graph& current();
 
   /// Adds an input and returns its node. sample_values: its value at each sample point. moves:
