@@ -74,9 +74,8 @@ struct Task {
   const Facts& facts;
 };
 
-/// A rule returns a closed form, or nullopt when it does not apply. closed_forms/ holds the rules.
-using Rule = std::optional<ClosedForm> (*)(const Task&);
-
+/// Rules, each in a file of closed_forms/. They return a closed form, or nullopt when they do not
+/// apply.
 std::optional<ClosedForm> solve_linear(const Task& task);
 std::optional<ClosedForm> solve_sphere(const Task& task);
 std::optional<ClosedForm> solve_direction_and_length(const Task& task);
