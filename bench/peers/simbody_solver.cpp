@@ -102,7 +102,8 @@ class RealizingSolver : public Solver {
 
   std::array<std::vector<double>, 3> values_;
   long iterations_ = 0;
-  sim::Vector estimate_, no_estimate_;
+  sim::Vector estimate_;     // q of the nominal position
+  sim::Vector no_estimate_;  // empty: Simbody need not project an error estimate as well
   sim::ProjectOptions options_{accuracy};
   sim::ProjectResults results_;
 };

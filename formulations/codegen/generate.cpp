@@ -29,8 +29,8 @@ namespace desmo::generate {
 
 namespace {
 
-/// Returns a namespace for the last type found, after its model and group. A number follows where
-/// another type has that name.
+/// Returns a namespace for the last type found, named after its model and group. A number follows
+/// where another type has that name.
 std::string kernel_name(const Model& m, const std::string& group,
                         const std::vector<SampledType>& found) {
   const std::size_t slash = group.rfind('/');

@@ -38,8 +38,8 @@ class Cache {
   void remove(const std::string& name) const;
 
   /// Calls make(name), which lets another program write a file of that unique name into the folder;
-  /// returns the file's content and removes it. Throws Unavailable when there is no such regular
-  /// file afterwards, or it is too large, and what `make` throws.
+  /// returns the file's content and removes it. Throws what `make` throws, and Unavailable when
+  /// there is no such regular file afterwards, or it has more than 256 MiB.
   std::string content_made_by(const std::function<void(const std::string& name)>& make) const;
 
  private:

@@ -109,7 +109,7 @@ class Record final : public Observer {
                 : CaseRun::Flag::other_branch;
     stated_ = {row.condition, row.relative_radius};
     if (case_.answers.empty()) return;
-    // Relative to the scales of errors; the run's own scales are of other instants.
+    // Divides the radii by the scales of errors. The run's own scales come from other instants.
     const PerLevel<double> radius =
         relative_radius(model_, row.radius, case_.answers.front().scales).largest;
     for (const Level level : all_levels)

@@ -34,9 +34,10 @@ class Emitter {
   /// returns their names, so that they can be declared elsewhere.
   void write_to(std::ostream& out, std::string indent, bool declarations_apart = false);
   const std::vector<std::string>& declared() const { return names_apart_; }
-  /// Writes a variable with the value of e. An input of that name is then known when e is.
+  /// Writes a variable with the value of e. An input of that name gets the arrival time of e.
   void define(const std::string& name, Expr e);
-  /// Writes a variable with the value of `text`. known: cycle at which it is known (ArrivalTimes).
+  /// Writes a variable with the value of `text`. known: cycle at which that value is known (see
+  /// ArrivalTimes).
   void assign(const std::string& name, const std::string& text, int known);
   /// Sets the text by which an expression, such as an input, is written from now on.
   void name(Expr e, std::string text);

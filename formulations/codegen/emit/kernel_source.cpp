@@ -121,7 +121,8 @@ class KernelWriter {
   void rates(std::size_t order) {
     const Elimination& elimination = orders_[order];
     const Monitors monitors{{}, elimination.monitors()};
-    // Velocities of the unknowns follow from those of known inputs; γ reads them as variables.
+    // The right-hand side of velocities reads known inputs alone. γ, the quadratic velocity term,
+    // also reads the unknowns' velocities, as variables.
     const Expressions velocity = elimination.solve(known_product(g_.qd));
     Expressions first = monitored(monitors);
     append(first, velocity);
