@@ -38,6 +38,11 @@ TEST_F(Expressions, FoldConstantsAndIdentities) {
   EXPECT_TRUE(graph.is((Expr(2) * 3.0 + sin(Expr(0))).id(), 6));
 }
 
+TEST_F(Expressions, RefuseConstantsThatAreNoNumbers) {
+  EXPECT_THROW(Expr(0) / Expr(0), std::invalid_argument);
+  EXPECT_THROW(sqrt(Expr(-1)), std::invalid_argument);
+}
+
 TEST_F(Expressions, AreInTheGraphOfTheirThread) {
   const int size = graph.size();
   std::thread([] {
@@ -170,6 +175,7 @@ TEST(Literals, ReadBackToTheSameValue) {
         std::strtod(literal(v)[0] == '(' ? literal(v).c_str() + 1 : literal(v).c_str(), nullptr),
         v);
   EXPECT_EQ(literal(2), "2.0");
+  EXPECT_THROW(literal(INFINITY), std::invalid_argument);
 }
 
 }  // namespace

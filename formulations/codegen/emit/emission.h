@@ -86,7 +86,8 @@ void declare_inputs(std::ostream& out, const std::vector<Expr>& expressions,
                     const std::string& declaration, const std::map<int, std::string>& places,
                     std::set<int>& declared);
 
-/// Returns a finite double as C++ source that reads back to the same value.
+/// Returns a double as C++ source that reads back to the same value. Throws std::invalid_argument
+/// when it is not finite.
 std::string literal(double value);
 
 }  // namespace desmo::generate

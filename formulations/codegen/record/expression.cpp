@@ -89,6 +89,8 @@ int Graph::input(std::string name, std::vector<double> sample_values, bool moves
 }
 
 int Graph::constant(double value) {
+  // NaN is no key of a map: it would find any other constant.
+  if (std::isnan(value)) throw std::invalid_argument("an equation has a constant that is NaN");
   if (value == 0) value = 0;  // −0 becomes 0
   const auto it = constants_.find(value);
   if (it != constants_.end()) return it->second;

@@ -59,7 +59,8 @@ class Graph {
   /// Adds an input and returns its node. sample_values: its value at each sample point. moves:
   /// false for a dimension.
   int input(std::string name, std::vector<double> sample_values, bool moves = true);
-  /// Return the node of a constant, or of an operation, which they simplify where they can.
+  /// Return the node of a constant, or of an operation, which they simplify where they can. Throw
+  /// std::invalid_argument for a constant that is NaN, such as 0/0.
   int constant(double value);
   int unary(Op op, int a);
   int binary(Op op, int a, int b);
