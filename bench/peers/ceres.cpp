@@ -1,5 +1,5 @@
-// Ceres Solver on the natural-coordinate constraints: a residual block for each constraint, its
-// derivatives those of our constraint kinds, a parameter block for each entity.
+// Ceres Solver on the natural-coordinate constraints. Each constraint is a residual block, with the
+// derivatives of our constraint kinds; each unknown entity is a parameter block.
 
 #include <ceres/ceres.h>
 

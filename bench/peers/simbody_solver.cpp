@@ -142,7 +142,7 @@ class DirectSolver final : public RealizingSolver {
     matter().calcBodyAccelerationFromUDot(state_, udot_, accelerations_);
   }
 
-  /// Solves G x = b for the free components of x, given the driven ones.
+  /// Solves G x = b_ for the free components of x, given the driven ones. Overwrites b_.
   void solve_free(sim::Vector& x) {
     for (int u = 0; u < x.size(); ++u)
       if (driver_[u] >= 0) b_ -= x[u] * g_(u);

@@ -20,7 +20,7 @@ constexpr int dense_limit = 114;     // most coordinates (≤) of dense global s
 constexpr double max_ratio_of_formulations = 1.6;  // with other settings
 constexpr double max_ratio_of_samples = 1.5;       // with further samples
 constexpr double max_ratio_of_motions = 1.25;      // on the whole motion instead of its beginning
-constexpr std::size_t finalists = 16;  // number of trials that are sampled anew and chosen from
+constexpr std::size_t finalists = 16;  // number of trials in a batch: sampled anew, chosen from
 constexpr std::size_t max_tried_on_whole = 100;  // with a budget: trials on the whole motion (≤)
 
 /// Returns settings that tell formulations apart: the paper's, and those that usually cost least.

@@ -20,7 +20,7 @@ class ChainSolution {
 
   /// Sets the branch of each dyad from positions q: whether its joint is left or right of the line
   /// from the joint before to the pivot. Rocker angles are unwrapped from their values in q on. The
-  /// constructor declares the model's estimate.
+  /// constructor calls it with the model's estimate.
   void declare(std::span<const double> q);
 
   /// Solves at time t [s]. Returns false where there is no answer: the crank's motion is not finite
@@ -42,7 +42,7 @@ class ChainSolution {
   };
   struct Place {
     int joint, angle;   // indices in q of the joint's x and of the rocker's angle
-    int side;           // 1: the joint is left of the line from the joint before to the pivot; -1
+    int side;           // the joint is left (1) or right (-1) of the line that declare() names
     double last_angle;  // rocker's angle, unwrapped, at the instant solved last [rad]
   };
 

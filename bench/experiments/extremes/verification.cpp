@@ -43,8 +43,8 @@ bool is_excused(const KnownCase& p, const CaseRun& a, std::size_t instant) {
   });
 }
 
-/// Returns whether an instant, or a compared one before it, is so near to a singular position that
-/// the branch after it may be doubted.
+/// Returns whether a compared instant up to this one is so near to a singular position that the
+/// branch after it may be doubted.
 bool is_near_singular(const KnownCase& p, const CaseRun& a, std::size_t instant) {
   constexpr double near = 1e6;  // smallest condition number (≥) near a singular position
   for (std::size_t n = 0; n < a.stated.size() && p.compared[n] <= static_cast<int>(instant); ++n)
