@@ -40,9 +40,9 @@ class Formulation {
 
   /// Assembles the mechanism at time t [s] from the model's estimate; forgets what was solved
   /// before. level: the highest that is solved. After a failure all coordinates are unspecified,
-  /// and the next step assembles. Neither this nor step() throws, unless memory runs out. After
-  /// this or another step, a step that succeeds without sub-steps takes no memory from the heap. A
-  /// library inside may take some.
+  /// and the next step assembles. Neither this nor step() throws, unless memory runs out. A step
+  /// after this one, or after another step, takes no heap memory if it succeeds without sub-steps;
+  /// a library of linear algebra may take some.
   Summary assemble(double t, Level level = Level::acceleration) { return do_assemble(t, level); }
 
   /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
@@ -61,13 +61,14 @@ class Formulation {
   /// names a coordinate twice or one that does not exist.
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
 
-  /// Solves each part only to the highest level that is needed of its unknowns. needed: the level
-  /// of each coordinate, as Plan::levels has them: a coordinate that a part reads must have the
-  /// part's level or a higher one. Values above these levels are unspecified. With Settings::stride
-  /// above 1 all levels are solved, since interpolation needs them. Call it between steps or runs,
-  /// never in a run. Where it raises levels, assemble next: a step would predict from rates that
-  /// were not solved. Throws std::invalid_argument where `needed` has not one level for each
-  /// coordinate.
+  /// Limits later steps and runs: each part is solved only to the highest level that is needed of
+  /// its unknowns. Values above these levels are unspecified. With Settings::stride above 1 all
+  /// levels are solved, since interpolation needs them. Call it between steps or runs, never in a
+  /// run. Where it raises levels, assemble next: a step would predict from rates that were not
+  /// solved.
+  /// - needed: the level of each coordinate, as Plan::levels has them. A coordinate that a part
+  ///   reads must have the part's level or a higher one.
+  /// Throws std::invalid_argument where `needed` has not one level for each coordinate.
   void solve_only(std::span<const Level> needed);
 
   const Model& model() const { return model_; }
@@ -81,15 +82,16 @@ class Formulation {
   /// need not meet it.
   double tolerance() const { return tolerance_; }
 
-  /// Return the instant solved last, in coordinate order (Model::coordinates() values). Before the
-  /// first one and during a run all are unspecified: an observer reads its Instant.
+  /// Return positions, velocities and accelerations of the instant solved last, in coordinate order
+  /// (Model::coordinates() values). They are unspecified before the first instant and during a run,
+  /// where an observer reads its Instant.
   std::span<const double> q() const;
   std::span<const double> qd() const;
   std::span<const double> qdd() const;
 
-  /// Returns a value of the instant solved last by its name, such as "C.x" or "theta", as
-  /// Model::value() does, or its rate. In a loop, read q()[i] instead, with i =
-  /// Model::coordinate(name) looked up before.
+  /// Returns a value of the instant solved last, or its rate, by its name, such as "C.x" or
+  /// "theta". Throws std::invalid_argument when there is no such name. In a loop, read q()[i]
+  /// instead, with i = Model::coordinate(name) looked up before.
   double value(const std::string& name, Level level = Level::position) const;
 
  private:

@@ -67,7 +67,7 @@ Suffix whole_number(std::string_view key, int Settings::*setting, int largest) {
                 [=](int n) { return n >= 1 && n <= largest; });
 }
 
-/// Returns the suffix of a number of lanes.
+/// Returns the suffix of Settings::lanes or Settings::segments. 1 means none.
 Suffix at_once(std::string_view key, int Settings::*setting) {
   return number(key, joined(lane_counts, [](int lanes) { return std::to_string(lanes); }), setting,
                 [](int n) { return n == 1 || std::ranges::count(lane_counts, n) > 0; });
@@ -115,8 +115,8 @@ void apply(std::string_view id, std::string_view text, std::vector<bool>& given,
                                 std::string(suffix.key) + ":'; there are: " + suffix.values);
   }
   throw std::invalid_argument(
-      "formulation " + in_quotes(id) + ": unknown suffix '/" + std::string(text) +
-      "'; there are, each followed by ':' and a value: " + joined(suffixes(), &Suffix::key));
+      "formulation " + in_quotes(id) + ": unknown suffix " + in_quotes("/" + std::string(text)) +
+      "; there are, each followed by ':' and a value: " + joined(suffixes(), &Suffix::key));
 }
 
 }  // namespace

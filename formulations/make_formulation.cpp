@@ -105,13 +105,14 @@ Settings share_of(Settings whole, std::size_t parts) {
   return whole;
 }
 
-// Declared first, since a thread's solver is made like the whole: it may have segments in lanes.
-// Its settings ask for one thread, so that it makes no others.
+// Declared here, since make_segments_on_threads() calls it: a thread's solver is made like the
+// whole, and may have segments in lanes. Its settings ask for one thread, which ends the recursion.
 std::unique_ptr<TimeStepping> make_solver(const Variant& v, const Model& m,
                                           const Settings& settings, Profile* profile,
                                           const KernelTable& table);
 
-/// Makes a solver for each thread, which takes one segment after the other.
+/// Makes the executor of segments on threads. Each thread has a solver of its own, which takes one
+/// segment after the other.
 std::unique_ptr<SegmentExecutor> make_segments_on_threads(const Common& common,
                                                           const Settings& settings) {
   Settings of_worker = settings;
@@ -122,7 +123,7 @@ std::unique_ptr<SegmentExecutor> make_segments_on_threads(const Common& common,
   return std::make_unique<SegmentsOnThreads>(std::move(workers), min_segment * settings.segments);
 }
 
-/// Makes the parts of each lane, which solves one segment.
+/// Makes the executor of segments in lanes. Each lane solves one segment with parts of its own.
 std::unique_ptr<SegmentExecutor> make_segments_in_lanes(
     const Common& common, const std::vector<PartDefinition>& definitions,
     const Settings& settings) {
@@ -160,7 +161,7 @@ std::unique_ptr<TimeStepping> make_solver(const Variant& v, const Model& m,
   return std::make_unique<TimeStepping>(m, std::move(parts), settings, std::move(segments));
 }
 
-/// Makes a formulation, or throws. profile: null: no phases are measured.
+/// Makes a formulation. Throws as make_formulation() says. profile: null: no phases are measured.
 std::unique_ptr<Formulation> make(const Variant& v, const Model& m, const Settings& settings,
                                   Profile* profile, const KernelTable& table) {
   if (const std::string reason = unsupported_reason(v, settings); !reason.empty())

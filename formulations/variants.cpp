@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cases/mechanism/names.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/equations/lane_kernel.h"
 
@@ -11,6 +12,7 @@ namespace desmo {
 
 namespace {
 
+/// Returns the variants with these libraries, and those whose elimination is generated.
 std::vector<Variant> make_variants(std::span<const Backend* const> with) {
   std::vector<Variant> table;
   for (const auto& [partition, partition_name] :
@@ -42,10 +44,10 @@ const Variant& find_variant(std::string_view id) {
   const auto it = std::ranges::find(variants(), id, &Variant::id);
   if (it != variants().end()) return *it;
   if (const std::string reason = unavailable_reason(id); !reason.empty())
-    throw std::invalid_argument("formulation '" + std::string(id) + "': " + reason);
+    throw std::invalid_argument("formulation " + in_quotes(id) + ": " + reason);
   std::string known;
   for (const Variant& v : variants()) known += "\n  " + v.id;
-  throw std::invalid_argument("unknown formulation '" + std::string(id) + "'; there are:" + known);
+  throw std::invalid_argument("unknown formulation " + in_quotes(id) + "; there are:" + known);
 }
 
 std::string unsupported_reason(const Variant& v, const Settings& s) {

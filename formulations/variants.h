@@ -61,8 +61,8 @@ std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Mode
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model&& model,
                                               const Settings& settings = {}) = delete;
 
-/// Makes a formulation with code that was generated for the model (generate_code). table: outlives
-/// the formulation.
+/// Makes a formulation like the function above, with code that was generated for the model
+/// (generate_code). table: must outlive the formulation.
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
                                               const Settings& settings, const KernelTable& table);
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model&& model,

@@ -1,5 +1,5 @@
-// Ceres Solver on the natural-coordinate constraints: a residual block for each constraint, its
-// derivatives those of our constraint kinds, a parameter block for each entity.
+// Ceres Solver on the natural-coordinate constraints. Each constraint is a residual block, with the
+// derivatives of our constraint kinds; each unknown entity is a parameter block.
 
 #include <ceres/ceres.h>
 
@@ -117,6 +117,7 @@ class CeresPeer final : public Peer {
   explicit CeresPeer(const Model& m)
       : model_(m),
         rates_(make_formulation(find_variant(formulation_of_rates), m, settings_)),
+        // Slightly stricter than our parts, which then accept Ceres' positions without iterations.
         stop_(0.99 * settings_.tolerance /
               std::sqrt(static_cast<double>(parts_of(*rates_).size()))),
         options_(newton(stop_, settings_.max_iterations)),
@@ -131,7 +132,7 @@ class CeresPeer final : public Peer {
       if (!m.groups[m.constraints[c].group].constant && kept_rows(m.constraints[c]) > 0)
         add(c, magnitudes);
     for (const auto& part : parts_of(*rates_))  // a global formulation has one part that moves
-      if (!part.definition.constant) runs_ = ranges_of(part.definition.unknowns);
+      if (!part.definition.constant) ranges_ = ranges_of(part.definition.unknowns);
     answer_.coordinates.resize(m.coordinates());
     for (int i = 0; i < m.coordinates(); ++i) answer_.coordinates[i] = i;
     answer_.resize(m.coordinates());
@@ -149,7 +150,7 @@ class CeresPeer final : public Peer {
 
   void step(double t) override {
     const StepHistory history{t - time_, 0, Level::acceleration};
-    Extrapolation(Guess::quadratic, history)(runs_, state_, state_, state_.q.data());
+    Extrapolation(Guess::quadratic, history)(ranges_, state_, state_, state_.q.data());
     solve(t);
   }
 
@@ -218,8 +219,8 @@ class CeresPeer final : public Peer {
   ceres::Problem problem_;
   State state_;  // its q contains Ceres' parameter blocks
   std::vector<bool> is_unknown_;
-  std::vector<IndexRange> runs_;  // ranges of the unknowns in q
-  double time_ = 0;               // time of the last instant [s]
+  std::vector<IndexRange> ranges_;  // indices of the unknowns in q
+  double time_ = 0;                 // time of the last instant [s]
 };
 
 std::string version() { return CERES_VERSION_STRING; }

@@ -14,7 +14,8 @@ std::string version_of_eigen() {
          std::to_string(EIGEN_MINOR_VERSION);
 }
 
-/// Makes the model that an expert would write by hand for one of the cases.
+/// Makes the peer that an expert would write by hand for one of the cases. guess: prediction with
+/// which Newton's method starts in a step.
 template <Guess guess>
 std::unique_ptr<Peer> make_tree(const Scene& scene, const Model& model) {
   if (scene.mechanism.name == "four_bar") return tree::make_four_bar(scene, model);

@@ -8,13 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "bench/peers/tree/nominal.h"
+#include "cases/mechanism/names.h"
 
 namespace desmo::simbody {
 
 namespace {
-
-using tree::named;
 
 constexpr int ground = -1;
 
@@ -27,14 +25,18 @@ class Builder {
  public:
   Builder(const Scene& scene, const Model& model) : d_(scene.mechanism), model_(model) {}
 
-  Vec position(const std::string& point) const { return named(d_.points, point).position; }
-  Vec direction(const std::string& vector) const { return named(d_.vectors, vector).direction; }
+  Vec position(const std::string& point) const {
+    return entry_named(point, d_.points, "point").position;
+  }
+  Vec direction(const std::string& vector) const {
+    return entry_named(vector, d_.vectors, "vector").direction;
+  }
 
   /// Hangs a body on another by a joint at a point of both. Follows its points and vectors. Returns
   /// the body's index in the tree.
   int hang(const std::string& name, int parent, Joint joint, const std::string& at,
            const Vec& axis = {0, 0, 1}, const Vec& second_axis = {}) {
-    const Mechanism::Body& body = named(d_.bodies, name);
+    const Mechanism::Body& body = body_named(name);
     const int number = static_cast<int>(tree.bodies.size());
     tree.bodies.push_back({parent, joint, in_frame(parent, at), axis, second_axis});
     frames_.push_back({position(at), body.length});
@@ -48,7 +50,7 @@ class Builder {
 
   /// Follows the vectors of a body of the mechanism that turns like body `body` of the tree.
   void follow_vectors(const std::string& name, int body) {
-    for (const int v : named(d_.bodies, name).vectors)
+    for (const int v : body_named(name).vectors)
       follow(d_.vectors[v].name, body, false, d_.vectors[v].direction);
   }
 
@@ -56,7 +58,7 @@ class Builder {
   void join(const std::string& rod, int first, const std::string& begin, int last,
             const std::string& end) {
     const double length =
-        named(d_.bodies, rod).length.value_or(Derived(norm(position(end) - position(begin)))).value;
+        body_named(rod).length.value_or(Derived(norm(position(end) - position(begin)))).value;
     tree.constraints.push_back({Constraint::Kind::rod,
                                 {first, last},
                                 {in_frame(first, begin), in_frame(last, end)},
@@ -93,6 +95,10 @@ class Builder {
     Vec origin;
     std::optional<Derived> length;  // exact length of a link that begins at `origin`; else nothing
   };
+
+  const Mechanism::Body& body_named(const std::string& name) const {
+    return entry_named(name, d_.bodies, "body");
+  }
 
   /// Follows an entity that is fixed to a body, unless it is at rest or followed already.
   void follow(const std::string& name, int body, bool is_point, const Vec& in_body) {

@@ -10,8 +10,8 @@ namespace desmo::simbody {
 /// mobilities and loop equations as there can be: Simbody's time grows with their third power.
 /// - four_bar: crank and rockers turn on the ground; a coupler is a rod, which is one equation.
 /// - truck_suspension: the upper arm turns on the ground, the axle hangs on it, dampers and levers
-///   of the stabiliser on the axle; lower rods and links are rods. A damper is one body whose line
-///   passes through a point: two bodies that slide along each other.
+///   of the stabiliser on the axle; lower rods and links are rods. A damper, two bodies that slide
+///   along each other, is one body whose line passes through a point of the chassis.
 /// - A driven angle is a prescribed pin; a driven height is a prescribed slider, and a plane that
 ///   moves with it.
 ///

@@ -102,7 +102,8 @@ class RealizingSolver : public Solver {
 
   std::array<std::vector<double>, 3> values_;
   long iterations_ = 0;
-  sim::Vector estimate_, no_estimate_;
+  sim::Vector estimate_;     // q of the nominal position
+  sim::Vector no_estimate_;  // empty: Simbody need not project an error estimate as well
   sim::ProjectOptions options_{accuracy};
   sim::ProjectResults results_;
 };
@@ -141,7 +142,7 @@ class DirectSolver final : public RealizingSolver {
     matter().calcBodyAccelerationFromUDot(state_, udot_, accelerations_);
   }
 
-  /// Solves G x = b for the free components of x, given the driven ones.
+  /// Solves G x = b_ for the free components of x, given the driven ones. Overwrites b_.
   void solve_free(sim::Vector& x) {
     for (int u = 0; u < x.size(); ++u)
       if (driver_[u] >= 0) b_ -= x[u] * g_(u);

@@ -36,7 +36,8 @@ struct Constraint {
   enum class Kind {
     rod,             ///< the points have a constant distance
     point_on_line,   ///< the second point stays on the line through the first along `direction`
-    point_in_plane,  ///< the second point stays in the plane through the first, of that normal
+    point_in_plane,  ///< the second point stays in the plane through the first normal to
+                     ///< `direction`
   };
   Kind kind;
   std::array<int, 2> bodies;

@@ -29,8 +29,8 @@ namespace desmo::generate {
 
 namespace {
 
-/// Returns a namespace for the last type found, after its model and group. A number follows where
-/// another type has that name.
+/// Returns a namespace for the last type found, named after its model and group. A number follows
+/// where another type has that name.
 std::string kernel_name(const Model& m, const std::string& group,
                         const std::vector<SampledType>& found) {
   const std::size_t slash = group.rfind('/');
@@ -67,7 +67,7 @@ struct KernelFile {
   const char* kind;     ///< name of that member, and end of the file's name: "lane_kernels"
   const char* headers;  ///< includes that its kernels need, as C++
   const char* row;      ///< type of the rows of its table
-  const char* lanes;    ///< parameter of the function that returns them
+  const char* lanes;    ///< parameter list of the function that returns them
   void (*write_kernel)(std::ostream&, const SampledType&);
   void (*write_row)(std::ostream&, const std::string& name, const PartType&);
 };

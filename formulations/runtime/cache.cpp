@@ -26,10 +26,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr mode_t all_of_others = 0077, writing_of_others = 0022;  // permissions of all other users
-constexpr std::size_t max_files = 256;             // number of finished files that are kept
+constexpr std::size_t max_files = 256;             // number of finished files that are kept (≤)
 constexpr const char* unfinished = "unfinished.";  // prefix of the names of unfinished files
-constexpr std::chrono::hours abandoned{1};         // age at which nobody works on such a file
-constexpr off_t max_file = off_t{256} << 20;       // size of a file that is read [bytes]
+constexpr std::chrono::hours abandoned{1};         // age (>) of an unfinished file to be removed
+constexpr off_t max_file = off_t{256} << 20;       // size of a file that is read (≤) [bytes]
 
 // A C++ comment, so that a sealed source file still compiles.
 constexpr std::string_view seal_begin = "\n// desmo ";

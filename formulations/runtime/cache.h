@@ -23,21 +23,23 @@ class Cache {
   static Cache open();
 
   const std::filesystem::path& folder() const { return folder_; }
-  int descriptor() const { return descriptor_.number(); }
+  int descriptor() const { return descriptor_.number(); }  ///< of the folder, while this lives
 
   /// Returns the content written under this name; nullopt when there is none. A file that was
   /// damaged or renamed does not count, nor does a link, nor one that others own or may open.
   std::optional<std::string> read(const std::string& name) const;
 
-  /// Writes a file atomically, replacing any file of that name. Removes the oldest files when there
-  /// are many. Throws Unavailable when the file cannot be written.
+  /// Writes a file atomically, replacing any file of that name. Before that, removes the oldest
+  /// finished files beyond 255, and unfinished ones that are older than an hour. Throws Unavailable
+  /// when the file cannot be written.
   void write(const std::string& name, std::string_view content) const;
 
+  /// Removes a file if it exists.
   void remove(const std::string& name) const;
 
   /// Calls make(name), which lets another program write a file of that unique name into the folder;
-  /// returns the file's content and removes it. Throws Unavailable when there is no such regular
-  /// file afterwards, or it is too large, and what `make` throws.
+  /// returns the file's content and removes it. Throws what `make` throws, and Unavailable when
+  /// there is no such regular file afterwards, or it has more than 256 MiB.
   std::string content_made_by(const std::function<void(const std::string& name)>& make) const;
 
  private:

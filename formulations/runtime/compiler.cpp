@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
 #include "formulations/runtime/descriptor.h"
 #include "formulations/runtime/program.h"
@@ -105,12 +106,10 @@ void Compiler::compile(const std::string& source, const std::string& library, in
   std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
   arguments.insert(arguments.end(), {"-o", library, source});
   const ProgramEnd ending = run(file_, arguments, folder, time);
-  if (ending.late) {
-    std::ostringstream seconds;
-    seconds << std::chrono::duration<double>(time).count();
-    throw Unavailable(printable(file_, 200) + ": ended after " + seconds.str() +
-                      " s; allow it more time, or choose a formulation by blocks");
-  }
+  if (ending.late)
+    throw Unavailable(printable(file_, 200) +
+                      formatted(": ended after %g s", std::chrono::duration<double>(time).count()) +
+                      "; allow it more time, or choose a formulation by blocks");
   if (!ending.good)
     throw Unavailable(printable(file_, 200) + ": cannot compile the kernels: " +
                       error_text(ending.output) + "; set CXX to another C++ compiler");

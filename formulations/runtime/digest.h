@@ -16,6 +16,7 @@ class Digest {
   Digest();
   ~Digest();
 
+  /// Adds bytes after those added before. Returns this object.
   Digest& add(std::string_view bytes);
 
   /// Returns 64 hexadecimal digits, as sha256sum prints them. Call it once, after the last add().

@@ -53,17 +53,18 @@ void set_attributes(posix_spawnattr_t& attributes) {
       &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
 }
 
-/// Starts a program, which from then on is `running`. Meanwhile blocks interrupting signals in this
-/// thread: one between the start and the assignment to `running` would not end the program.
+/// Starts a program and assigns its process to `running`. Blocks interrupting signals in this
+/// thread until then: a signal between start and assignment would not end the program.
 pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
   const std::vector<std::string> variables = environment();
   const std::vector<char*> argv = null_terminated(arguments), envp = null_terminated(variables);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
+  // First: where our standard streams are closed, the folder's descriptor may have their numbers.
+  ::posix_spawn_file_actions_addfchdir_np(&actions, folder);
   ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
-  ::posix_spawn_file_actions_addfchdir_np(&actions, folder);
   posix_spawnattr_t attributes;
   ::posix_spawnattr_init(&attributes);
   set_attributes(attributes);
@@ -105,12 +106,14 @@ bool read_all(int from, Clock::time_point end, std::string& text) {
   }
 }
 
-/// Waits for a child until `end`. Returns whether it has ended. status: receives its exit status.
+/// Waits for a child until `end`. Returns whether it has ended. status: receives its exit status;
+/// unchanged where SIGCHLD is ignored.
 bool wait_until(pid_t child, Clock::time_point end, int& status) {
   constexpr int pause = 2;  // between two looks [ms]
   for (;;) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
-    // SIGCHLD may be ignored; then nobody learns how the child ended: its output will show.
+    // Where SIGCHLD is ignored, waitpid() fails after the child's end, and its exit code is lost.
+    // Callers see from what the child has written whether it succeeded.
     if (ended == child || (ended < 0 && errno == ECHILD)) return true;
     const int left = remaining(end);
     if (left == 0) return false;

@@ -16,7 +16,7 @@ namespace {
 using generate::LibraryContents, generate::sample_count, generate::SampledType;
 
 constexpr int max_steps = 400;      // largest number of steps of a motion that is solved here
-constexpr double tolerance = 1e-6;  // setting for samples, of which only magnitudes count
+constexpr double tolerance = 1e-6;  // of sampled states: only magnitudes of their numbers count
 /// Largest number of unknowns of a part with generated code. The work of the generator and of the
 /// compiler grows faster than this number.
 constexpr std::size_t max_unknowns = 100;
@@ -75,14 +75,15 @@ class Sampler final : public Observer {
 std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& grid) {
   const TimeGrid coarse = with_few_steps(grid);
   Sampler sampler(m, coarse.instants);
-  const auto f = make_formulation(find_variant("group_automatic_klu"), m, {.tolerance = tolerance});
+  const auto f = make_formulation(find_variant("group_automatic_klu"), m,
+                                  {.tolerance = tolerance, .coordinates = m.modelling});
   // Where the run fails, the states before remain.
   static_cast<void>(f->run(coarse, Request{Level::position}, sampler));
   return std::move(sampler.states);
 }
 
-/// An observer that keeps which parts of a formulation refused steps of a motion, up to the last
-/// instant that was solved.
+/// An observer that notes for each part of a formulation whether its generated code refused a step,
+/// up to the last instant that was solved.
 struct RefusalObserver final : Observer {
   explicit RefusalObserver(const Formulation& f) : parts(parts_of(f)), refused(parts.size()) {}
 
@@ -96,13 +97,13 @@ struct RefusalObserver final : Observer {
   std::vector<bool> refused;
 };
 
-/// Returns the parts whose code refuses steps of the motion. It was made for other mechanisms, with
-/// pivots and closed forms that suit those.
+/// Returns the parts whose code refuses steps of the motion: code that was made for another
+/// mechanism, with pivots and closed forms that suit that one.
 std::vector<PartDefinition> parts_refused(const Variant& v, const Model& m, const TimeGrid& grid,
                                           const KernelTable& table) {
   std::vector<PartDefinition> result;
   if (!v.is_generated()) return result;
-  const auto f = make_formulation(v, m, {}, table);
+  const auto f = make_formulation(v, m, {.coordinates = m.modelling}, table);
   RefusalObserver observer(*f);
   static_cast<void>(f->run(with_few_steps(grid), Request{Level::velocity}, observer));
   for (std::size_t i = 0; i < observer.refused.size(); ++i)

@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "formulations/codegen/emit/emission.h"
 #include "formulations/codegen/emit/kernel_source.h"
@@ -34,6 +36,21 @@ TEST_F(Expressions, FoldConstantsAndIdentities) {
   EXPECT_TRUE(graph.is((x * (1.0 / x)).id(), 1));
   EXPECT_TRUE((Expr(0) / x).is_zero());
   EXPECT_TRUE(graph.is((Expr(2) * 3.0 + sin(Expr(0))).id(), 6));
+}
+
+TEST_F(Expressions, RefuseConstantsThatAreNoNumbers) {
+  EXPECT_THROW(Expr(0) / Expr(0), std::invalid_argument);
+  EXPECT_THROW(sqrt(Expr(-1)), std::invalid_argument);
+}
+
+TEST_F(Expressions, AreInTheGraphOfTheirThread) {
+  const int size = graph.size();
+  std::thread([] {
+    Graph other(1);
+    EXPECT_TRUE(other.is((Expr(2) * 3.0).id(), 6));
+  }).join();
+  EXPECT_EQ(graph.size(), size);
+  EXPECT_THROW(Graph(1), std::logic_error);
 }
 
 TEST_F(Expressions, TellWhatTheyAreMultiplesOf) {
@@ -158,6 +175,7 @@ TEST(Literals, ReadBackToTheSameValue) {
         std::strtod(literal(v)[0] == '(' ? literal(v).c_str() + 1 : literal(v).c_str(), nullptr),
         v);
   EXPECT_EQ(literal(2), "2.0");
+  EXPECT_THROW(literal(INFINITY), std::invalid_argument);
 }
 
 }  // namespace

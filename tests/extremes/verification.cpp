@@ -51,6 +51,15 @@ TEST_F(CaseVerification, AnErrorWithinTheBoundIsAsExpected) {
   EXPECT_EQ(j.worst->velocity.allowed, 1e-9);
 }
 
+TEST_F(CaseVerification, TheLargestErrorIsTheWorstWhereNoneIsAllowed) {
+  c.bound = Bound::estimates;  // and the run states radii of 0
+  ran(1e-12);
+  run.errors[0][1]->velocity = 1e-9;
+  EXPECT_EQ(verify(known, run).worst.value().velocity.error, 1e-9);
+  run.stated[2]->radius.velocity = 1e-6;
+  EXPECT_EQ(verify(known, run).worst.value().velocity.error, 1e-9);
+}
+
 TEST_F(CaseVerification, AWrongNumberWithoutAFlagIsADefect) {
   ran(5e-10);
   run.errors[0][1]->acceleration = 2e-9;

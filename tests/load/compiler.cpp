@@ -90,6 +90,18 @@ TEST_F(Programs, GetTheirArgumentsAsTheyAre) {
   EXPECT_THROW(run({"/no/such/program"}), std::system_error);
 }
 
+TEST_F(Programs, RunInTheirFolderWhereStandardInputIsClosed) {
+  const Descriptor input(::dup(STDIN_FILENO));
+  ::dup2(root.number(), STDIN_FILENO);  // the number that open() gives a folder there
+  const ProgramEnd ending =
+      run_program({"/bin/pwd"}, STDIN_FILENO, std::chrono::milliseconds(60000));
+  if (input.is_open())
+    ::dup2(input.number(), STDIN_FILENO);
+  else
+    ::close(STDIN_FILENO);
+  EXPECT_EQ(ending.output, "/\n");
+}
+
 TEST_F(Programs, GetLittleOfOurEnvironment) {
   ::setenv("CPATH", "/somewhere", 1);
   const std::string output = run({"/usr/bin/env"}).output;

@@ -19,6 +19,7 @@ bool has(const Formulation& f) {
 struct OwnKernelsTest : Loading {
   /// With code that was made for it, against automatic equations.
   std::unique_ptr<Formulation> compare(const std::string& id) {
+    const Settings exact{.tolerance = 1e-13, .coordinates = model_.modelling};
     auto f = made(id, table_, exact);
     const auto reference = make_formulation(find_variant("group_automatic_eigen"), model_, exact);
     const Everything found = everything_of(*f, scene_.grid),
@@ -31,7 +32,6 @@ struct OwnKernelsTest : Loading {
     take(parse_scene(swinging_plates(copies, one_second), "plates", {}));
   }
 
-  static constexpr Settings exact{.tolerance = 1e-13};
   KernelTable table_;
 };
 
@@ -52,6 +52,11 @@ TEST_F(OwnKernelsTest, SolveWithEliminationInlinedAndAllAtOnce) {
 }
 
 TEST_F(OwnKernelsTest, SolveBlockByBlock) { compare("block_symbolic_inlined"); }
+
+TEST_F(OwnKernelsTest, SolveInOtherCoordinates) {
+  model_ = make_model(scene_, Modelling::reference);
+  compare("group_symbolic_inlined");
+}
 
 TEST_F(OwnKernelsTest, SolveTwinsInLanes) {
   take_plates(3);

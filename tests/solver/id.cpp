@@ -108,6 +108,8 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_inlined/coordinates:relative/frames:exact", "evaluated all at once"},
       {"group_symbolic_explicit/coordinates:reference/frames:exact", "evaluated all at once"},
       {"group_mixed", "unknown formulation 'group_mixed'"},
+      {"group\x1b[2J", "unknown formulation 'group\\u001b[2J'"},
+      {"group_symbolic_klu/\x1b[2J", "unknown suffix '/\\u001b[2J'"},
       {"group_symbolic_inlined/jacobian:step", "keeps no factors"},
   };
   for (const auto& [id, message] : wrong)

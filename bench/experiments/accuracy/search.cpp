@@ -20,8 +20,8 @@ constexpr int dense_limit = 114;     // most coordinates (≤) of dense global s
 constexpr double max_ratio_of_formulations = 1.6;  // with other settings
 constexpr double max_ratio_of_samples = 1.5;       // with further samples
 constexpr double max_ratio_of_motions = 1.25;      // on the whole motion instead of its beginning
-constexpr std::size_t finalists = 16;  // number of trials that are sampled anew and chosen from
-constexpr std::size_t max_tried_on_whole = 100;  // with a budget: most trials on the whole motion
+constexpr std::size_t finalists = 16;  // number of trials in a batch: sampled anew, chosen from
+constexpr std::size_t max_tried_on_whole = 100;  // with a budget: trials on the whole motion (≤)
 
 /// Returns settings that tell formulations apart: the paper's, and those that usually cost least.
 std::vector<Settings> telling_settings() {
@@ -98,6 +98,7 @@ class Searcher {
   /// Returns the error in whole half decades, so that effects of rounding do not decide.
   double error_class(const Trial& t) const { return std::round(2 * std::log10(error(t))); }
 
+  /// Returns whether another trial may prove better than the best one on the whole motion.
   bool is_indistinct(const Trial& best, const Trial& other) const {
     return other.min_seconds() <= max_ratio_of_motions * best.min_seconds() &&
            (goal_.budget == 0 || error_class(other) <= error_class(best));
@@ -161,8 +162,9 @@ class Searcher {
     return kept;
   }
 
-  /// Chooses from a batch, sorted best first, among trials that meet the goal on the whole motion:
-  /// the first of them, and those that is_indistinct() cannot tell from it.
+  /// Chooses from a batch that is sorted best first. On the whole motion it tries the trials up to
+  /// the first one that meets the goal there, and those that are indistinct from it. It chooses the
+  /// best of all that meet the goal.
   void choose_on_whole(const std::vector<Trial*>& batch) {
     std::list<Trial> trials;
     std::vector<Trial*> holding;
@@ -206,7 +208,8 @@ class Searcher {
 
 TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid) {
   constexpr int first_instants = 101;
-  // More than most motions have: instants at which the guess alone meets the tolerance may be rare.
+  // More than most motions have. Errors are largest at instants where the prediction alone meets
+  // the tolerance, which may be rare.
   constexpr int compared = 1001;
   TimeGrid beginning = grid;
   beginning.instants = std::min(grid.instants, first_instants);

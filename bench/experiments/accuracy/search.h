@@ -38,11 +38,13 @@ struct TriedConfiguration {
 
 /// The result of a search.
 struct SearchResult {
-  std::optional<Configuration> choice;    ///< nothing: none reaches the goal
-  SolutionError error;                    ///< errors of the choice over the whole motion
-  double seconds = 0;                     ///< time of a step of the choice, on the whole motion [s]
-  double usual_seconds = 0;               ///< the same with the paper's settings [s]
-  std::vector<TriedConfiguration> tried;  ///< all trials, in ascending order of `seconds`
+  std::optional<Configuration> choice;  ///< nothing: none reaches the goal
+  SolutionError error;                  ///< errors of the choice over the whole motion
+  double seconds = 0;                   ///< time of a step of the choice, on the whole motion [s]
+  double usual_seconds = 0;             ///< the same with the paper's settings [s]
+  /// Trials of the full settings grids on the beginning, and of the last candidates on the whole
+  /// motion, in ascending order of `seconds`.
+  std::vector<TriedConfiguration> tried;
 };
 
 /// The effort of a search: which formulations are tried, and how hard.

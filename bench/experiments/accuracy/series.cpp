@@ -44,7 +44,7 @@ bool is_in_table_2(const Variant& v) {
 
 bool is_tuned(const Variant& v) { return std::ranges::find(tuned, v.id) != tuned.end(); }
 
-/// Returns settings of the sensitivity of Table 2, at the usual step.
+/// Returns the settings, at the usual step, that show how Table 2 depends on tolerance and guess.
 std::vector<Settings> table_settings() {
   std::vector<Settings> all;
   for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) all.push_back({.tolerance = tolerance});
@@ -68,8 +68,8 @@ std::vector<Settings> usual_settings(const Variant& v, bool largest) {
   return all;
 }
 
-/// Adds to a series without configurations those formulations, each with the settings of its own,
-/// that the filter finds, no id twice. Then adds the series to `all` unless it is empty.
+/// Fills a series that has no configurations yet: adds each formulation with each of its settings
+/// where the filter finds the name, no id twice. Then adds the series to `all` unless it is empty.
 void add(std::vector<AccuracySeries>& all, AccuracySeries series, const std::regex& filter,
          const auto& formulations, const auto& settings_of) {
   bench::CandidateName name{std::string(series.definition->name), series.coordinates, {}};

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
                              Guess::hermite3, Guess::hermite5, Guess::adams8};
 constexpr std::array strides{2, 4, 8, 16, 32};
-constexpr std::array reduced_strides{8, 16, 32};  // errors of three sizes, of closed forms, too
+constexpr std::array reduced_strides{8, 16, 32};  // they give even closed forms three errors
 
 /// Returns settings that differ in where Newton's method stops: at a tolerance, or after a number
 /// of iterations.
@@ -31,8 +31,8 @@ void add_strides(std::vector<Settings>& all, Settings settings, std::span<const 
   }
 }
 
-/// Returns settings for use with strides: the paper's, and those that usually cost least with an
-/// error below that of interpolation.
+/// Returns settings with which strides are tried: the paper's, and those that usually cost least
+/// with an error below that of interpolation.
 std::vector<Settings> solved_from() {
   return {Settings{},
           {.tolerance = 1e-10, .guess = Guess::hermite5},

@@ -21,14 +21,15 @@ namespace desmo::extremes {
 
 namespace {
 
-constexpr int max_dense = 400;          // coordinates of dense global solves (≤): O(n³) a step
-constexpr int max_coordinates = 5'000;  // coordinates of formulations that are not is_fast() (≤)
-constexpr long max_instants = 100'000;  // instants of these (≤), unless their algebra is eigen
+constexpr int max_dense = 400;  // coordinates of dense global solves (≤): O(n³) a step
+// Limits (≤) for formulations that are not is_fast(); max_instants is for other algebra than eigen.
+constexpr int max_coordinates = 5'000;
+constexpr long max_instants = 100'000;
 /// Coordinates of formulations by blocks (≤). Every part keeps a workspace of some kilobytes, and
 /// there are more blocks than groups.
 constexpr int max_in_blocks = 1'000'000;
 
-/// Returns whether a formulation calls no library for every small part.
+/// Returns whether a formulation is generated, or solves all unknowns by a single call of KLU.
 bool is_fast(const Variant& v) {
   return v.is_generated() || (v.partition == Partition::global && v.algebra == "klu");
 }
@@ -93,7 +94,8 @@ class Record final : public Observer {
       if (!part.definition.constant) unknowns_ += std::ssize(part.definition.unknowns);
     for (const Answers& answers : known.answers) run.errors.emplace_back(answers.right.size());
     run.stated.resize(known.compared.size());
-    run.steps.reserve(known.solvable.size());  // or its growth would count as the formulation's
+    // Memory that this vector took later would count as the formulation's.
+    run.steps.reserve(known.solvable.size());
   }
 
   /// Sets the index of the instant, or start, with which the next run begins.
@@ -107,7 +109,7 @@ class Record final : public Observer {
                 : CaseRun::Flag::other_branch;
     stated_ = {row.condition, row.relative_radius};
     if (case_.answers.empty()) return;
-    // Relative to the scales of errors; the run's own scales are of other instants.
+    // Divides the radii by the scales of errors. The run's own scales come from other instants.
     const PerLevel<double> radius =
         relative_radius(model_, row.radius, case_.answers.front().scales).largest;
     for (const Level level : all_levels)

@@ -95,7 +95,9 @@ bool ChainSolution::close(std::size_t k, const Joint& b, Joint& c) {
   const Quadruple psi = near(atan2(fy, fx), place.last_angle);
   place.last_angle = static_cast<double>(psi);
 
-  // Only the component along the coupler of B's error moves C. along_ is along B's velocity.
+  // moved: error, divided by the unit roundoff, of the equation that places C on its circle. The
+  // error of B contributes its component along the coupler; along_ is in the direction of B's
+  // velocity. The rounding of both lengths contributes, too.
   const Quadruple speed = sqrt(b.vx * b.vx + b.vy * b.vy);
   const double share =
       speed > 0 ? static_cast<double>(abs(ex * b.vx + ey * b.vy) / speed) : dyad.coupler;

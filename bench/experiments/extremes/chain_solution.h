@@ -18,9 +18,9 @@ class ChainSolution {
   /// model: of a mechanism that consists of the chain alone. Both must outlive the solution.
   ChainSolution(const DyadChain& chain, const Model& model);
 
-  /// Sets the branch of each dyad: the side on which its joint is, in positions q, of the way from
-  /// the joint before to the pivot. Rocker angles are unwrapped from their values in q on. The
-  /// constructor declares the model's estimate.
+  /// Sets the branch of each dyad from positions q: whether its joint is left or right of the line
+  /// from the joint before to the pivot. Rocker angles are unwrapped from their values in q on. The
+  /// constructor calls it with the model's estimate.
   void declare(std::span<const double> q);
 
   /// Solves at time t [s]. Returns false where there is no answer: the crank's motion is not finite
@@ -42,7 +42,7 @@ class ChainSolution {
   };
   struct Place {
     int joint, angle;   // indices in q of the joint's x and of the rocker's angle
-    int side;           // 1: the joint is left of the way from the joint before to the pivot; -1
+    int side;           // the joint is left (1) or right (-1) of the line that declare() names
     double last_angle;  // rocker's angle, unwrapped, at the instant solved last [rad]
   };
 
@@ -58,8 +58,8 @@ class ChainSolution {
   double size_;                    // nominal_size() of the model
   WideInstant now_;
   double condition_ = 0;
-  // Error of the joint solved last divided by the unit roundoff, a length: along its circle; and in
-  // any direction, by its own rounding.
+  // Errors of the joint solved last, divided by the unit roundoff: along its circle, passed on by
+  // the dyads before; and in any direction, by the rounding of its own position. Both are lengths.
   double along_ = 0, any_way_ = 0;
 };
 

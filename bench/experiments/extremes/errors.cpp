@@ -66,6 +66,13 @@ bool is_wrong(const WorstError& e, double tolerance, double stated) {
   return e.error > std::max({e.allowed, 10 * std::max(tolerance, e.floor), stated});
 }
 
+/// Returns whether an error is worse than another: by its ratio to the error allowed or, where
+/// neither is allowed any, by its size. Anything is worse than WorstError{}.
+bool is_worse(const WorstError& e, const WorstError& other) {
+  if (other.allowed == 0 && (e.allowed == 0 || other.error == 0)) return e.error >= other.error;
+  return e.error * other.allowed > other.error * e.allowed;
+}
+
 }  // namespace
 
 std::string instant_text(const KnownCase& p, std::size_t instant) {
@@ -89,7 +96,7 @@ WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const CaseRun* yards
         const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
                            allowed_error(p, a, errors, level, part, next)};
         WorstError& worst = (*found.worst)[level];
-        if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
+        if (is_worse(e, worst)) worst = e;
         if (!(e.error > e.allowed)) continue;
         const double stated = flag == Flag::unproven ? a.stated[next]->radius[level] : 0;
         const bool wrong = p.definition->bound == Bound::estimates ||

@@ -36,7 +36,7 @@ PerLevel<double> floor_at(const Model& m, std::span<const double> q, double cond
 /// - conditions: condition number of each answer by a closed form, which knows better than the
 ///   equations how far a long chain passes an error on; empty: those of the equations
 ///   (ConditionNumber)
-/// - motion: instants of which errors have the scales; empty: the answers
+/// - motion: instants from which the scales are made; empty: from the answers
 void add_floors(Answers& a, const std::vector<double>& conditions,
                 std::vector<ReferenceInstant> motion = {}) {
   std::optional<ConditionNumber> number;
@@ -55,8 +55,8 @@ void add_floors(Answers& a, const std::vector<double>& conditions,
   a.scales = make_scales(a.model, motion);
 }
 
-/// Returns the frame of answers for a part of the case's mechanism, or all of it: its model and
-/// coordinates, without any instant.
+/// Returns answers without any instant for a part of the case's mechanism, or for all of it: the
+/// model and the coordinates alone.
 Answers answers_of(Model part, const KnownCase& p) {
   const Model& whole = p.modelled->model;
   Answers a{.model = std::move(part)};
@@ -94,8 +94,9 @@ double end_between(ChainSolution& solution, double from, double to) {
   }
 }
 
-/// Returns the answers of the case's chain of that index, by the closed form. Instants at which the
-/// chain has none are no longer `solvable`, and times between them are added to `ends`.
+/// Returns the answers of the case's chain of that index, by the closed form. Sets `solvable` to
+/// false at instants where the chain has none. Adds to `ends` the times at which answers end or
+/// begin.
 Answers chain_answers(KnownCase& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   const DyadChain& chain = c.chains[index];
@@ -125,7 +126,7 @@ Answers chain_answers(KnownCase& p, std::size_t index) {
   }
   add_floors(a, conditions, std::move(motion));
   // An angle's error counts as the distance by which it moves the end of the longest link, divided
-  // by the size. Else long chains would leave it less than the rounding of that point.
+  // by the size. Long chains would otherwise allow it less than what rounding that point causes.
   if (c.bound == Bound::length) a.scales.rotation.position = size / longest;
   return a;
 }

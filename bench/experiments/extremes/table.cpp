@@ -12,8 +12,8 @@ namespace desmo::extremes {
 
 namespace {
 
-/// Returns the variant that solves the same parts by the same equations and makes factors, and
-/// chooses their pivots, anew at every position.
+/// Returns the variant that solves the same parts with the same equations, but chooses pivots anew
+/// at every position.
 const Variant& with_new_pivots(const Variant& v) {
   return find_variant(v.id.substr(0, v.id.rfind('_')) + "_eigen");
 }
@@ -25,8 +25,8 @@ std::vector<const Variant*> matching(const std::regex& formulations) {
   return all;
 }
 
-/// Returns those of a row's cases that are selected, and the first case where one of them is
-/// compared with it.
+/// Returns a row's selected cases. Adds the row's first case where a selected one is compared with
+/// it.
 std::vector<ExtremeCase> selected(std::vector<ExtremeCase> all, const std::regex& names) {
   const auto is_chosen = [&](const ExtremeCase& c) { return std::regex_search(c.name, names); };
   const bool is_measured = std::ranges::any_of(

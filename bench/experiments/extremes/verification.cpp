@@ -43,8 +43,8 @@ bool is_excused(const KnownCase& p, const CaseRun& a, std::size_t instant) {
   });
 }
 
-/// Returns whether an instant, or a compared one before it, is so near to a singular position that
-/// the branch after it may be doubted.
+/// Returns whether a compared instant up to this one is so near to a singular position that the
+/// branch after it may be doubted.
 bool is_near_singular(const KnownCase& p, const CaseRun& a, std::size_t instant) {
   constexpr double near = 1e6;  // smallest condition number (≥) near a singular position
   for (std::size_t n = 0; n < a.stated.size() && p.compared[n] <= static_cast<int>(instant); ++n)
@@ -68,8 +68,8 @@ std::string needless_flag(const KnownCase& p, const CaseRun& a) {
 }
 
 /// Returns the first step whose iterations differ by more than 1 from those of the row's first
-/// case, in words; empty: there is none. Steps without iterations there do not count: closed forms
-/// take none, but in extreme units a pivoting part may solve in their place.
+/// case, in words; empty: there is none. Steps for which the first case needs no iterations do not
+/// count: closed forms take none, but in extreme units a pivoting part may solve in their place.
 std::string other_iterations(const CaseRun& a, const CaseRun& first) {
   for (std::size_t i = 0; i < std::min(a.steps.size(), first.steps.size()); ++i)
     if (first.steps[i].iterations > 0 &&

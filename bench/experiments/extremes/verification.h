@@ -32,8 +32,8 @@ std::string instant_text(const KnownCase& known, std::size_t instant);
 enum class ExtremeVerdict {
   as_expected,
   missed,  ///< less than expected: it failed, is less exact, or does not say what it should
-  defect,  ///< unflagged numbers where there is no answer, or an error that nothing excuses:
-           ///< bound, radius stated with it, or ten times tolerance and floor
+  defect,  ///< unflagged numbers where there is no answer, or an error that nothing excuses: it is
+           ///< above the bound, the radius stated with it, and ten times tolerance and floor
   not_applicable,  ///< not tried, or nothing is known to compare with
 };
 
@@ -42,8 +42,8 @@ struct Verification {
   CaseOutcome outcome = CaseOutcome::converged;
   ExtremeVerdict verdict = ExtremeVerdict::as_expected;
   std::string reason;  ///< why the verdict is not as_expected; else empty
-  /// The error of each level whose ratio to the error allowed is the largest, where numbers were
-  /// compared; at a level where none is allowed, the largest error.
+  /// For each level the error with the largest ratio to the error allowed; where none is allowed,
+  /// the largest error. Nothing: no numbers were compared.
   std::optional<PerLevel<WorstError>> worst;
 };
 

@@ -17,9 +17,9 @@ namespace {
 
 /// Number of counted steps of a run that solves one instant after the other, without checks.
 constexpr int steps = 50;
-/// Steps of two motions, for any other run. Its count includes the assembly, which the difference
-/// of the two counts does not. What checks take is such a difference less that of the run without
-/// checks.
+/// Numbers of steps of two motions, for any other run. The count of a motion includes its assembly,
+/// which the difference of two counts does not. Checks take the difference of a checked run less
+/// that of the same run without checks.
 constexpr int short_motion = 100, long_motion = 300;
 
 bool is_counted(const Variant& v) {

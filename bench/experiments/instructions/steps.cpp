@@ -1,9 +1,9 @@
 // desmo_steps CASE COORDINATES ID STEPS [ITERATIONS [PERCENT]]: assembles and takes STEPS steps of
 // 10 ms, nothing else, for instruction counts and profilers. ITERATIONS: exact number of Newton
-// iterations of every step; 0: as many as it needs. PERCENT repeats that share of the steps: a
-// slowdown on purpose, for tests of what is to find one. The steps after uncounted_steps are all in
-// desmo_counted_steps. With an id that asks for segments, threads or a stride, or that ends in
-// /check:…, the whole motion is in it, assembly included.
+// iterations of every step; 0: as many as it needs. PERCENT: share of the steps that is taken
+// again, a slowdown on purpose: tests see whether it is found. Function desmo_counted_steps takes
+// all steps after uncounted_steps. It takes the whole motion, assembly included, with an id that
+// asks for segments, threads or a stride, or that ends in /check:….
 
 #include <malloc.h>
 

@@ -52,8 +52,8 @@ std::string reason_of(const GenerationOutcome& outcome) {
 }
 
 /// Adds the code of a formulation to a scene that lacks it. Returns why there is none; empty: there
-/// is. reasons: those found by earlier calls, by the formulation's id with lanes and segments
-/// alone.
+/// is. reasons: results of earlier calls; keys are ids without settings other than lanes and
+/// segments.
 std::string missing(MeasuredCase& measured, const Configuration& c,
                     std::map<std::string, std::string>& reasons) {
   const Model& model = measured.plan.model;

@@ -59,11 +59,10 @@ Options take_options(std::vector<std::string>& arguments) {
     std::cout
         << parser.help()
         << "\nExit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no\n"
-           "benchmark matches; 65 a scene says something wrong, 66 cannot be read; 74 the record "
-           "could not be written. Where a file of Google\n"
-           "Benchmark names a library built for debugging, its own is meant, which has no part in\n"
-           "these times. Flags of Google Benchmark:"
-           "\n\n";
+           "benchmark matches; 65 a scene says something wrong, 66 cannot be read; 74 the record\n"
+           "could not be written. Where a file of Google Benchmark names a library built for\n"
+           "debugging, its own is meant, which has no part in these times. Flags of Google\n"
+           "Benchmark:\n\n";
   const int repetitions = o.repetitions > 0 ? o.repetitions : o.quick ? quick_repetitions : 0;
   // First, so that flags of Google Benchmark that the user gives win.
   if (repetitions > 0)

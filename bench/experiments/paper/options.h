@@ -19,7 +19,7 @@ struct Options : bench::CommonOptions {
   double peer_limit = 60;  ///< CPU time that a peer may take for the motion [s] (≤)
   std::vector<std::string> formulations;  ///< ids with settings, to be run as well as the table's
   std::vector<std::string> scenes;        ///< files to be measured in place of the cases
-  bool table = false;                     ///< show every benchmark, though there is a record
+  bool table = false;                     ///< show every benchmark, also where a record is written
   bool help = false;
 };
 

@@ -23,8 +23,8 @@ class PeerCandidate final : public Candidate {
   void add_to(nlohmann::ordered_json& lists) const override;
 
  private:
-  /// Compares in the coordinates that the peer finds. Leaves it out when the whole motion would
-  /// take longer than the options allow.
+  /// Compares the coordinates that the peer finds. Refuses the peer (not_run) when the whole motion
+  /// would take longer than the options allow.
   Checked check(VerifyingRun& found) override;
   Analysis make_analysis(TimingWindows& windows) const override;
 

@@ -13,9 +13,9 @@
 
 namespace desmo::paper {
 
-/// A scene's request of a case at one size, as the problem that has to be solved for it. The whole
-/// mechanism is what it is compared with: that shows that nothing needed was left out. All its
-/// formulations share it and solve its models.
+/// A scene's request of a case at one size, as the problem that has to be solved for it. Its
+/// results are compared with those of the whole mechanism, which shows that nothing needed was left
+/// out. All formulations of the request share this object and its models.
 struct PlannedRequest : Problem {
   /// Throws std::invalid_argument when the scene's mechanism is not a case of the suite, or no
   /// output moves.

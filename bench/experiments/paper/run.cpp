@@ -156,8 +156,8 @@ bench::ExitCode run(const bench::CommandLine& line) {
                                   "--benchmark_out");
   const Options options = take_options(arguments);
 
-  // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
-  // repetition is one iteration: the least time is met by the first.
+  // Defaults first, so that the user's flags win. An iteration is a whole analysis. With so short a
+  // minimum time, a repetition is one iteration.
   arguments.insert(arguments.begin(), {line.program, "--benchmark_enable_random_interleaving=true",
                                        "--benchmark_min_time=1e-6"});
   if (options.help) arguments.push_back("--help");

@@ -22,6 +22,7 @@ struct SizeSeries {
   int size;  ///< number of coordinates (growth) or of unknowns (break_even)
   std::vector<std::string_view> ids;
 
+  /// Makes the problem: its model, its time grid and the tolerance.
   bench::Problem problem() const;
 };
 

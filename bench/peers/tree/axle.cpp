@@ -24,7 +24,7 @@ Vec about_vertical(const Vec& a) { return {-a.y(), a.x(), 0}; }
 struct Axle::Roll {
   Moving<double> sine, cosine;  // sin ρ and cos ρ
   double rate, second_rate;     // ρ̇ and ρ̈
-  /// The height of S is base + cos ρ m(θ) with m = w_x sin θ − w_z cos θ, w being the left wheel's.
+  /// The height of S is base + cos ρ m(θ) with m = w_x sin θ − w_z cos θ and w = left_.
   Moving<double> base;
 };
 

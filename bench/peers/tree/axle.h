@@ -36,7 +36,7 @@ class Axle {
     std::span<double, 2> q, qd, qdd;
   };
 
-  /// prefix: first part of the axle's names. tolerance: see tolerance_.
+  /// prefix: first part of the axle's names. tolerance: limit (<) of √Σ (gᵢ/Lᵢ²)².
   Axle(const Mechanism& mechanism, const std::string& prefix, double tolerance);
 
   /// Returns the names of the entities that deliver() writes, in its order.
@@ -66,7 +66,7 @@ class Axle {
   void solve_rates(const Closure& at, const Roll& roll, const Angles& angles);
 
   std::string prefix_;
-  double tolerance_;  // limit (<) of √Σ (gᵢ/Lᵢ²)²
+  double tolerance_;
   Vec pivot_;         // R, the point of the chassis about which the arm turns
   double arm_;        // length of the arm, with the sign of the x component of S − R
   Vec left_, right_;  // wheel centres, from S in the axle's frame

@@ -64,7 +64,7 @@ class Dyad {
   std::string name_;
   Vec2 pivot_;               // D
   double coupler_, rocker_;  // lengths c and r
-  double side_;              // 1: C is left of the way from B to D; -1: right of it
+  double side_;              // 1: C is left of the line from B to D; -1: right of it
 };
 
 class FourBar final : public TreePeer {

@@ -28,7 +28,8 @@ std::vector<std::string> Stabiliser::delivered(const std::string& prefix, const 
 
 void Stabiliser::solve(const Pose& axle, AnswerWriter& out) const {
   const Moving<Vec> a = axle.at(a_);
-  // D·e = k, that is −X cos φ + Z sin φ = k with X = D·x2, Z = D·z2.
+  // D·e = k, that is −X cos φ + Z sin φ = k with X = D·x2, Z = D·z2. Its two solutions differ in
+  // the sign of w.
   const Vec from_g = a.q - g_;
   const double x = from_g.dot(axle.x.q), z = from_g.dot(axle.z.q);
   const double k = (link_ * link_ - lever_ * lever_ - from_g.squaredNorm()) / (2 * lever_);

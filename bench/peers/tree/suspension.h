@@ -38,7 +38,7 @@ class Stabiliser {
   Vec a_;                // A − S in the axle's frame
   Vec g_;                // G
   double lever_, link_;  // λ and L
-  double side_;          // 1 or -1: which of its two positions the lever takes, as nominally
+  double side_;          // sign of w (see solve()) in the nominal position, which the lever keeps
 };
 
 /// Rod and tube of a damper, from A on the axle to T on the chassis. Relative coordinate: the

@@ -13,7 +13,7 @@ std::optional<ClosedForm> solve_angle(const Task& task) {
   const auto& [a, b, rest] = *t;
   const Expr pivot = b * cos(theta) - a * sin(theta), branch = branch_of(pivot);
   const Expr radius2 = a * a + b * b;
-  // Half a turn changes no rate.
+  // Both angles have the same rates, so that these need no branch.
   ClosedForm form = angle_by_bearing("angle modulo half a turn", {b, -a}, radius2);
   form.bearing = {branch * b, -(branch * a)};
   const Expr ma = magnitude(a), mb = magnitude(b);

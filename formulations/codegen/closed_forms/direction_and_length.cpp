@@ -23,8 +23,8 @@ std::optional<int> as_unknown(const Affine& a) {
   return a.constant.is_zero() ? found : std::nullopt;
 }
 
-/// Returns an equation whose only product is of two unknowns; nullopt for any other equation. Which
-/// of them is the length is decided by agree_on_length().
+/// Returns an equation whose only product is of two unknowns; nullopt for any other equation. The
+/// first unknown is taken for the direction, until agree_on_length() decides.
 std::optional<Along> as_along(const Quadratic& q, int row) {
   if (q.products.size() != 1 || !q.rest.is_constant()) return std::nullopt;
   const Quadratic::Product& p = q.products[0];
@@ -114,7 +114,8 @@ std::optional<ClosedForm> solve_direction_and_length(const Task& task) {
   form.cost = 4;
   form.monitors.sizes.push_back({w2, 1e-12, size});
 
-  // Along: scale (s ḋ + ṡ d) = b; unit: 2 d·ḋ = b.
+  // The differentiated equations, with right-hand sides b, are scale (s ḋᵢ + ṡ dᵢ) = b and
+  // 2 d·ḋ = b.
   std::vector<Expr> d;
   for (const Along& a : along) d.push_back(task.x[a.direction]);
   rates_by_equations(form, task.equations, [=, given = *found](const std::vector<Expr>& b) {

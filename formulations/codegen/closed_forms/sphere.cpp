@@ -10,7 +10,7 @@ namespace desmo::generate {
 
 namespace {
 
-/// Returns a·a, with what is known of it or of its terms.
+/// Returns a·a; replaces it, or else each of its terms, by the known value if there is one.
 Expr square(const Vector& a, const Facts& facts) {
   const Expr whole = dot(a, a), known = facts.value(whole);
   if (known.id() != whole.id()) return known;
@@ -20,7 +20,8 @@ Expr square(const Vector& a, const Facts& facts) {
 }
 
 /// Terms that position and rates share. The foot p is the point nearest to the centre that is in
-/// all planes. The line through p, parallel to all planes, meets the sphere at the solution x.
+/// all planes; without planes it is the centre. The line through p, parallel to all planes, meets
+/// the sphere at the solution x.
 struct Geometry {
   SphereAndPlanes given;
   Vector y;                     ///< x − centre
@@ -138,7 +139,8 @@ std::optional<ClosedForm> solve_sphere(const Task& task) {
   form.roots.push_back({branch, pivot});
 
   const Expr discriminant = radius2 * g.w2 - g.foot2;  // ‖x − p‖² W
-  // W is known early. A single division for both reciprocals would wait for the discriminant.
+  // Two divisions, since W is known early: a single one for both reciprocals would have to wait for
+  // the discriminant.
   RateSystem rates{g, Expr(1) / g.w2, {}, {}};
   rates.inverse_off_foot2 = g.through_centre ? Expr(1) / radius2 : g.w2 / discriminant;
   const Expr height = branch * (sqrt(discriminant) * rates.inverse);  // x − p = height w

@@ -13,8 +13,9 @@ namespace desmo::generate {
 
 namespace {
 
-// Smallest sound ratio of a constant and of a variable pivot to the largest entry of its column. A
-// division by a constant costs nothing. KLU prefers its diagonal down to the same ratio.
+// Smallest ratio (≥) of a sound pivot to the largest entry of its column. Constant pivots may be
+// smaller, since dividing by them costs nothing at run time. KLU, too, accepts a diagonal pivot of
+// 1e-3 of its column.
 constexpr double min_constant = 1e-3, min_variable = 0.1;
 
 double min_ratio(Expr pivot) { return pivot.is_constant() ? min_constant : min_variable; }
@@ -86,11 +87,11 @@ double max_ratio(Expr a, Expr b, const SampleNumbers& at) {
   return largest;
 }
 
-/// Smallest RelativeSize::share of a pivot. Below it, parts of the type point in different
-/// directions, and an adjugate takes over; few failing samples are left to the monitors.
+/// Smallest RelativeSize::share of a pivot (≥). With a smaller one, parts of the type point in
+/// different directions, and an adjugate takes over. Else monitors refuse it where it is too small.
 constexpr double min_share = 0.9;
 
-/// An elimination and its remaining rows, before the first unsound pivot an adjugate can avoid.
+/// An elimination before the first unsound pivot that an adjugate of the remaining rows can avoid.
 struct Mark {
   SparseRows rows;
   Elimination elimination;
@@ -191,8 +192,8 @@ void Elimination::solve_last_by_adjugate(const SparseRows& rows) {
   }
   last_.emplace(Last{std::move(open), std::move(columns), Adjugate(matrix)});
 
-  const std::vector<double>&determinant = last_->inverse.determinant().samples(),
-        &magnitude = last_->inverse.magnitude().samples();
+  const std::vector<double>& determinant = last_->inverse.determinant().samples();
+  const std::vector<double>& magnitude = last_->inverse.magnitude().samples();
   for (std::size_t s = 0; s < is_poor_.size(); ++s)
     is_poor_[s] = is_poor_[s] || !(std::abs(determinant[s]) >= min_constant * magnitude[s]);
 

@@ -41,8 +41,9 @@ enum class Unsound {
 ///
 /// Constant pivots come first, then pivots of least fill (Markowitz). A pivot is sound when it is
 /// large enough, compared with its column, at every given sample point. Where there is none,
-/// `Unsound` tells which is taken. If the last two or three rows have no pivot that serves most
-/// samples, they are solved by their adjugate: parts of one type may be oriented differently.
+/// `Unsound` tells which is taken. The last two or three rows are solved by their adjugate if a
+/// pivot there is far too small at more than a tenth of the samples: parts of one type may be
+/// oriented differently.
 class Elimination {
  public:
   /// Records the elimination. Throws std::invalid_argument when the matrix is structurally

@@ -39,7 +39,7 @@ struct Term {
 
 /// Flattens nested sums, differences and negations into terms. They are ordered by arrival, so
 /// that early terms are added while late ones are computed. The first two are swapped when only the
-/// first is subtracted.
+/// first is subtracted, so that the sum need not begin with a negation.
 std::vector<Term> terms_of(int id, ArrivalTimes& arrival, const IsWhole& is_whole);
 
 /// Flattens nested products into factors, ordered by arrival.

@@ -1,6 +1,8 @@
 #include "formulations/codegen/emit/emission.h"
 
 #include <charconv>
+#include <cmath>
+#include <stdexcept>
 
 namespace desmo::generate {
 
@@ -38,6 +40,8 @@ int precedence(Op op) {
 }  // namespace
 
 std::string literal(double value) {
+  if (!std::isfinite(value))
+    throw std::invalid_argument("an equation has a constant that is not finite");
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;
   std::string result(text, end);

@@ -34,9 +34,10 @@ class Emitter {
   /// returns their names, so that they can be declared elsewhere.
   void write_to(std::ostream& out, std::string indent, bool declarations_apart = false);
   const std::vector<std::string>& declared() const { return names_apart_; }
-  /// Writes a variable with the value of e. An input of that name is then known when e is.
+  /// Writes a variable with the value of e. An input of that name gets the arrival time of e.
   void define(const std::string& name, Expr e);
-  /// Writes a variable with the value of `text`. known: cycle at which it is known (ArrivalTimes).
+  /// Writes a variable with the value of `text`. known: cycle at which that value is known (see
+  /// ArrivalTimes).
   void assign(const std::string& name, const std::string& text, int known);
   /// Sets the text by which an expression, such as an input, is written from now on.
   void name(Expr e, std::string text);
@@ -73,7 +74,7 @@ class Emitter {
 };
 
 /// Returns the text that reads each position and rate of a part from arrays q, qd and qdd, by node.
-/// place: returns what follows the array's name for an input of the part, as "[in[3]]"
+/// place: returns what follows the array's name for an input of the part, as "[in[3]]".
 std::map<int, std::string> places_of(const RecordedPart& part,
                                      const std::function<std::string(int input)>& place);
 
@@ -85,7 +86,8 @@ void declare_inputs(std::ostream& out, const std::vector<Expr>& expressions,
                     const std::string& declaration, const std::map<int, std::string>& places,
                     std::set<int>& declared);
 
-/// Returns a finite double as C++ source that reads back to the same value.
+/// Returns a double as C++ source that reads back to the same value. Throws std::invalid_argument
+/// when it is not finite.
 std::string literal(double value);
 
 }  // namespace desmo::generate

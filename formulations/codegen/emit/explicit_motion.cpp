@@ -54,7 +54,7 @@ class CoreSystem {
   std::optional<Elimination> elimination_;
 };
 
-/// A differentiator of sections, in the order of the plan.
+/// Differentiates sections one after the other, in solution order. Symbols as in differentiate().
 class Differentiator {
  public:
   explicit Differentiator(const RecordedPart& part) : part_(part) {
@@ -73,7 +73,7 @@ class Differentiator {
   SectionMotion differentiate(const OrderSection& s) {
     const std::size_t torn = s.torn.size();
     SectionMotion motion;
-    // dx/dτ, a column for each torn unknown, and the core's matrix.
+    // slopes[k]: column k of dx/dτ, for torn unknown k. matrix: dR/dτ.
     std::vector<Vector> slopes;
     SparseRows matrix(torn);
     for (std::size_t k = 0; k < torn; ++k) {
@@ -84,13 +84,15 @@ class Differentiator {
         if (const Expr slope = along.of(Level::velocity, s.residuals[r]); !slope.is_zero())
           matrix[r].emplace(static_cast<int>(k), slope);
     }
-    // Equations of lengths have the factor 2. Without it the solution is known earlier.
+    // Equations of lengths have the factor 2. Without these multiplications the solution is known
+    // earlier.
     const Vector scales = take_factors(matrix);
     const CoreSystem core(matrix);
     motion.increments = core.solve(scaled(s.residuals, scales));
     motion.monitors = core.monitors();
 
     const std::vector<int> unknowns = unknowns_of(s);
+    // Returns the unknowns' rates. named: inputs that stand for them where others read them.
     const auto solve = [&](Level level, const Vector& named) {
       Rates rates = known_;
       const Vector held = rates_of_definitions(s, rates, level);

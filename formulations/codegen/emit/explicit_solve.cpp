@@ -206,7 +206,7 @@ class SolveWriter {
   const ExplicitPlan& plan_;
   Emitter emitter_;
   std::set<int> declared_;          // inputs that the function declares, or defines later
-  std::set<int> open_;              // unknowns with undefined positions; rates of all unknowns
+  std::set<int> open_;              // positions not yet defined, and rates, of the unknowns
   std::set<std::size_t> verified_;  // rows of original equations that norm2 contains
   int defined_angles_ = 0;
   /// Whether the part has a core. Without one, rates come after all positions. Then angles, which

@@ -21,7 +21,7 @@ Expr weight(const std::vector<int>& rows) {
 }
 
 /// Returns the text after an array's name that reads an input. The components of an entity are
-/// neighbours, so that only the position of the first one is looked up.
+/// neighbours in the array, so that only the index of the first one is looked up.
 std::string place(const PartType& type, int input) {
   int first = 0;
   for (const PartType::Constraint& c : type.constraints)

@@ -49,7 +49,8 @@ class KernelWriter {
     close();
   }
 
-  /// Writes a function with one value for each of these entries. first: place of the first in slot.
+  /// Writes a function with one value for each of these entries. first: index in `slot` of the
+  /// first entry.
   void of_entries(const std::string& signature, const std::vector<RecordedEntry>& list,
                   std::size_t first) {
     open(signature);
@@ -100,7 +101,7 @@ class KernelWriter {
          << "    if (!(result.residual2 >= tolerance2) || result.iterations == max_iterations) "
             "break;\n";
     emitter.prepare(step);
-    // All increments before any update: later ones may read the old values.
+    // Computes all increments before any update, since each reads the old values.
     for (std::size_t j = 0; j < step.size(); ++j)
       out_ << "    const double delta" << j << " = " << emitter.text(step[j]) << ";\n";
     for (std::size_t j = 0; j < step.size(); ++j)
@@ -120,7 +121,8 @@ class KernelWriter {
   void rates(std::size_t order) {
     const Elimination& elimination = orders_[order];
     const Monitors monitors{{}, elimination.monitors()};
-    // Velocities of the unknowns follow from those of known inputs; γ reads them as variables.
+    // The right-hand side of velocities reads known inputs alone. γ, the quadratic velocity term,
+    // also reads the unknowns' velocities, as variables.
     const Expressions velocity = elimination.solve(known_product(g_.qd));
     Expressions first = monitored(monitors);
     append(first, velocity);

@@ -44,7 +44,7 @@ Expr Facts::value(Expr e) const {
 }
 
 std::optional<ClosedForm> solve_closed(const Task& task) {
-  for (const Rule rule : {&solve_linear, &solve_sphere, &solve_direction_and_length, &solve_angle})
+  for (const auto rule : {&solve_linear, &solve_sphere, &solve_direction_and_length, &solve_angle})
     if (std::optional<ClosedForm> form = rule(task)) return form;
   return std::nullopt;
 }

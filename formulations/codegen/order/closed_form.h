@@ -3,7 +3,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -46,7 +45,8 @@ struct ClosedForm {
   std::vector<Root> roots;
   Monitors monitors;
   int cost = 0;  ///< relative run time: about two for a square root or a division
-  /// Pairs of an expression and its known value, such as the square of a square root.
+  /// Facts that the solution implies in addition to its equations: pairs of an expression and its
+  /// value, such as the square of a square root.
   std::vector<std::pair<Expr, Expr>> consequences;
 
   /// Returns the velocities or the accelerations of the unknowns. In its argument, the unknowns'
@@ -74,9 +74,8 @@ struct Task {
   const Facts& facts;
 };
 
-/// A rule returns a closed form, or nullopt when it does not apply. closed_forms/ holds the rules.
-using Rule = std::optional<ClosedForm> (*)(const Task&);
-
+/// Rules, each in a file of closed_forms/. They return a closed form, or nullopt when they do not
+/// apply.
 std::optional<ClosedForm> solve_linear(const Task& task);
 std::optional<ClosedForm> solve_sphere(const Task& task);
 std::optional<ClosedForm> solve_direction_and_length(const Task& task);

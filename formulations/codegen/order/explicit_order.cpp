@@ -50,8 +50,8 @@ class OrderMaker {
     for (Definition& d : angles) order_.push_back({{}, {std::move(d)}, {}, {}, {}});
   }
 
-  /// Solves each placed set again, with the facts that earlier definitions imply. Their equations
-  /// hold when later definitions are evaluated, in a core as well.
+  /// Solves each placed set again, with the facts that earlier definitions imply. An earlier
+  /// definition satisfies its equations before later ones are evaluated, in a core as well.
   void solve_knowing_more(const Block& block, TornOrder& torn) {
     for (PlacedForm& p : torn.placed) {
       Task task{{}, {}, facts_};
@@ -80,7 +80,8 @@ class OrderMaker {
       core.residual_rows.push_back(block.equations[e].rows);
       core.residual_names.push_back(names(block.equations[e].rows));
     }
-    // Backwards: what the residuals need belongs to the core, the rest follows it.
+    // Goes through the definitions backwards. Those that the residuals need, directly or through
+    // others, belong to the core; the rest follow it.
     std::set<int> needed_inputs;
     const auto need = [&](const std::vector<Expr>& expressions) {
       for (const Expr e : expressions)

@@ -13,14 +13,15 @@ namespace desmo::generate {
 
 namespace {
 
-/// Smallest quality of a closed form, unless it solves a whole block. One below is singular not far
-/// from where it was sampled.
+/// Smallest quality (≥) of a closed form, unless it solves a whole block. With less quality it is
+/// singular not far from where it was sampled.
 constexpr double min_quality = 0.03;
 /// Quality above which closed forms count as equally good.
 constexpr double good_quality = 0.25;
 
-/// Limits: equations solved together; torn unknowns, and sets of them, in an exhaustive search.
-constexpr std::size_t max_set = 4, max_torn = 3, max_combinations = 3000;
+constexpr std::size_t max_set = 4;  // number of equations that are solved together (≤)
+/// Limits of an exhaustive search (≤): number of torn unknowns, and of sets of them.
+constexpr std::size_t max_torn = 3, max_combinations = 3000;
 
 std::vector<int> members(const auto& set, std::size_t n) {
   std::vector<int> result;

@@ -29,8 +29,8 @@ struct TornOrder {
 /// A search for explicit orders of n equations for n unknowns. Up to four equations are solved
 /// together, provided that a rule applies and their quality is ≥ 0.03; for all n equations, > 0 is
 /// enough. The *quality* of equations that are solved together for unknowns x is their distance
-/// from singularity: the smallest |det ∂Φ/∂x| over the sample points. For it, equations are scaled
-/// to gradients of length 1 by the n unknowns.
+/// from singularity: the smallest |det ∂Φ/∂x| over the sample points. There each equation is
+/// divided by the length of its gradient by all n unknowns.
 class Tearing {
  public:
   /// Differentiates the equations by the unknowns. facts must outlive the object. Throws

@@ -6,10 +6,10 @@ namespace desmo::generate {
 
 namespace {
 
-/// The part of a derivative that is linear in given derivatives of the inputs (absent: zero). For a
-/// first derivative it is all. A second derivative is Linear of the inputs' second derivatives,
-/// plus twice QuadraticTerm of their first ones. The factor 2 is multiplied once, after all sums.
-/// Both classes compute each node once.
+// An expression e of inputs xᵢ has the rates ė = Σ ∂e/∂xᵢ ẋᵢ and
+// ë = Σ ∂e/∂xᵢ ẍᵢ + Σ Σ ∂²e/∂xᵢ∂xⱼ ẋᵢ ẋⱼ. Both classes below compute each node once.
+
+/// The sum Σ ∂e/∂xᵢ dᵢ for given expressions dᵢ of the inputs; those that are absent are zero.
 class Linear {
  public:
   explicit Linear(const std::map<int, Expr>& of_input) : of_input_(of_input) {}
@@ -55,7 +55,7 @@ class Linear {
   std::map<int, Expr> done_;
 };
 
-/// Half of the part of a second derivative that is quadratic in first derivatives of the inputs.
+/// Half of the double sum in ë. The factor 2 is multiplied once, after all sums.
 class QuadraticTerm {
  public:
   explicit QuadraticTerm(const std::map<int, Expr>& first_of_input) : first_(first_of_input) {}

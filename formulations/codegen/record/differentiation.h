@@ -19,7 +19,7 @@ class Rates {
     (level == Level::velocity ? velocities_ : accelerations_).insert_or_assign(input.id(), rate);
   }
 
-  /// Returns the rate of an expression at such a level: ė or ë.
+  /// Returns the velocity ė or the acceleration ë of an expression.
   Expr of(Level level, Expr e) const;
 
  private:

@@ -12,6 +12,7 @@ namespace desmo::generate {
 
 namespace {
 
+/// Returns an expression with its nodes replaced that are in `done`. Adds all that it replaces.
 Expr replaced(Expr e, std::map<int, Expr>& done) {
   if (const auto it = done.find(e.id()); it != done.end()) return it->second;
   const Node n = Graph::current().node(e.id());
@@ -23,7 +24,7 @@ Expr replaced(Expr e, std::map<int, Expr>& done) {
   return done.emplace(e.id(), result).first->second;
 }
 
-/// Adds the nodes that an expression contains and that move.
+/// Adds to `seen` the nodes that an expression contains and that move.
 void collect(int id, std::set<int>& seen) {
   const Node& n = Graph::current().node(id);
   if (!n.moves || !seen.insert(id).second) return;
@@ -31,7 +32,7 @@ void collect(int id, std::set<int>& seen) {
   if (n.b >= 0) collect(n.b, seen);
 }
 
-Graph* current_graph = nullptr;
+thread_local Graph* current_graph = nullptr;
 
 double apply(Op op, double a, double b) {
   switch (op) {
@@ -69,7 +70,7 @@ bool is_power_of_two(double value) {
 }  // namespace
 
 Graph::Graph(int samples) : sample_count_(samples) {
-  if (current_graph) throw std::logic_error("one graph at a time");
+  if (current_graph) throw std::logic_error("a thread has one graph at a time");
   current_graph = this;
 }
 
@@ -88,6 +89,8 @@ int Graph::input(std::string name, std::vector<double> sample_values, bool moves
 }
 
 int Graph::constant(double value) {
+  // NaN is no key of a map: it would find any other constant.
+  if (std::isnan(value)) throw std::invalid_argument("an equation has a constant that is NaN");
   if (value == 0) value = 0;  // −0 becomes 0
   const auto it = constants_.find(value);
   if (it != constants_.end()) return it->second;

@@ -21,7 +21,7 @@ enum class Op {
   cosine,
   square_root,
   magnitude,  ///< |a|
-  table_0,    ///< Taylor's coefficient 0, at a, of the table that begins at input b; then 1, 2, 3
+  table_0,    ///< Taylor coefficient of order 0, at a, of the table whose first number is input b
   table_1,
   table_2,
   table_3,
@@ -46,18 +46,21 @@ struct Node {
 /// An elimination judges the sizes of its pivots by these values.
 class Graph {
  public:
-  /// Makes this the current graph until it is destroyed. samples: number of sample points. Throws
-  /// std::logic_error when another graph exists.
+  /// Makes this the calling thread's current graph until it is destroyed. samples: number of sample
+  /// points. Throws std::logic_error when the thread has another graph.
   explicit Graph(int samples);
   ~Graph();
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
 
+  /// Returns the calling thread's current graph, which must exist.
   static Graph& current();
 
   /// Adds an input and returns its node. sample_values: its value at each sample point. moves:
   /// false for a dimension.
   int input(std::string name, std::vector<double> sample_values, bool moves = true);
+  /// Return the node of a constant, or of an operation, which they simplify where they can. Throw
+  /// std::invalid_argument for a constant that is NaN, such as 0/0.
   int constant(double value);
   int unary(Op op, int a);
   int binary(Op op, int a, int b);
@@ -68,8 +71,7 @@ class Graph {
   const std::vector<double>& samples(int id) const { return samples_[id]; }
   /// Returns whether the expression is the constant `value`.
   bool is(int id, double value) const;
-  /// Returns the constant operand of a product, without negations of the product; 1 when neither
-  /// operand is constant.
+  /// Returns the constant operand of a product, or of a negated product; 1 for all other nodes.
   double factor(int id) const;
 
  private:
