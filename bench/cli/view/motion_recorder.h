@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,8 +76,8 @@ class MotionRecorder final : public Observer {
   const TimeGrid grid_;
   const std::size_t max_kept_;
   bench::Progress* progress_;
-  // passed_: the last instant recorded, if it is not among instants_; else empty.
-  std::vector<RecordedInstant> instants_, passed_;
+  std::vector<RecordedInstant> instants_;
+  std::optional<RecordedInstant> passed_;  // last instant recorded, unless it is in instants_
   std::vector<Flag> flags_;
   std::vector<Lasting> lasting_;
   int stride_ = 1;
