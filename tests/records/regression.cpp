@@ -1,10 +1,12 @@
 // What bench/check measures with: the probe's candidates, the driver, and counts that repeat.
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "bench/kit/candidate_name.h"
 #include "bench/kit/process/child.h"
@@ -39,6 +41,15 @@ TEST(Launch, PassesOnWhereLibrariesAre) {
   const std::vector<std::string> all = bench::fixed_launch({"program"}).environment;
   ::unsetenv("DESMO_LIBCOINHSL");
   EXPECT_EQ(std::ranges::count(all, "DESMO_LIBCOINHSL=/some/libcoinhsl.so"), 1);
+}
+
+TEST(Child, WhoseExitCodeIsLostIsNoSuccess) {
+  std::string output;
+  EXPECT_EQ(bench::Child(bench::fixed_launch({"/bin/false"})).finish(output), 1);
+  const auto handled = std::signal(SIGCHLD, SIG_IGN);
+  EXPECT_THROW(bench::Child(bench::fixed_launch({"/bin/false"})).finish(output),
+               std::runtime_error);
+  std::signal(SIGCHLD, handled);
 }
 
 TEST(MeasuredCandidates, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {

@@ -34,7 +34,8 @@ class Child {
   std::string read_answer();  ///< the next line, without its end
 
   /// Closes its input and waits for its end. Returns its exit code, or 128 + the signal that ended
-  /// it. output: receives everything that was not yet read.
+  /// it. output: receives everything that was not yet read. Throws std::runtime_error where the exit
+  /// code cannot be had, as when this process ignores SIGCHLD.
   int finish(std::string& output);
 
  private:
