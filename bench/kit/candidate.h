@@ -69,7 +69,7 @@ class Candidate {
   virtual void profile() {}
 
   /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
-  virtual void add_to(nlohmann::ordered_json& lists) const;
+  virtual void add_to(nlohmann::ordered_json& /*lists*/) const {}
 
   /// Makes an analysis, runs it, and discards it, on a fresh heap (see run_on_fresh_heap). Returns
   /// the seconds of its run; by the wall clock, the least of several runs: others may interrupt

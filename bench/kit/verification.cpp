@@ -10,7 +10,6 @@
 
 #include "bench/kit/digests.h"
 #include "cases/mechanism/formatted.h"
-#include "formulations/model/partition.h"
 #include "formulations/model/scales.h"
 #include "formulations/motion/internals.h"
 #include "formulations/runtime/digest.h"

@@ -34,7 +34,7 @@ struct Options {
   std::string base, head, file, slow;
   Names names;
   Commit commit;
-  std::string pass = "first";
+  std::string pass;  ///< "first" or "second"
   std::uint64_t seed = 1;
   bool time = true, work = true;
 };

@@ -84,7 +84,7 @@ double time(const std::string& name, int instants, double percent, int repetitio
   const bench::CandidateName parsed = bench::parse_name(name);
   const bench::Problem problem = problem_of(parsed, instants);
   SteppedFormulation stepped(problem, parsed.id);
-  const int last = stepped.last_instant(), extra = extra_steps(last, percent);
+  const int last = instants - 1, extra = extra_steps(last, percent);
   return min_seconds(repetitions, [&] {
     Summary s = stepped.run();
     if (s.ok() && extra > 0) s = stepped.walk(last - 1, last - extra);

@@ -42,7 +42,6 @@ class SteppedFormulation {
   }
 
   const Settings& settings() const { return configuration_.settings; }
-  int last_instant() const { return grid.instants - 1; }
   Formulation& formulation() { return *formulation_; }
   Observer& delivery() { return delivery_; }
 

@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "bench/kit/formulation_candidate.h"
 #include "bench/kit/record/record.h"
 #include "commit.h"
 #include "formulations/algebra/blas.h"

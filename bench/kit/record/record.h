@@ -43,14 +43,6 @@ class RecordWriter {
 /// load.
 nlohmann::ordered_json record_head(const std::string& command, const TimeGrid& grid);
 
-/// Returns the text of a record: its head indented, and an element of a list on each line, as a
-/// person may want to read the one and not the other.
-///
-/// head: an object with something in it.
-/// sections: an object of objects of arrays.
-std::string record_layout(const nlohmann::ordered_json& head,
-                          const nlohmann::ordered_json& sections);
-
 /// Returns an object with the value of each level by the level's name.
 nlohmann::ordered_json per_level_json(const PerLevel<double>& values);
 
