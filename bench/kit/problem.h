@@ -25,11 +25,12 @@ struct Problem {
   /// "double": one in double precision, by code that no formulation uses, where the two would take
   /// minutes.
   const char* checked_against = "quadruple";
-  /// Returns why a formulation is not to be run; empty: it is to be run. No function: all are.
+  /// Returns why a formulation is not to be run; empty: it is to be run. Without this function all
+  /// formulations are run.
   std::function<std::string(const Configuration&)> missing{};
   KernelTable kernels{};  ///< generated code, in addition to what desmo was built with
-  /// The coordinates that are delivered; empty: all. Without `compared`, the order is that of the
-  /// reference.
+  /// The coordinates that are delivered; empty: all. Without `compared`, the reference must have
+  /// the same ones in the same order.
   std::vector<int> delivered{};
   /// The values that are compared; empty: all that is delivered.
   std::vector<Compared> compared{};

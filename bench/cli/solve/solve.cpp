@@ -98,8 +98,8 @@ CheckedSummary run_through(const Task& task, Formulation& formulation, SeriesWri
   return run_checked(formulation, task.input.scene.grid, Request{task.plan.level()}, writer, check);
 }
 
-/// Throws CommandError (not_solved) where the run failed or --strict refuses it. Writes the
-/// remaining rows first, on failure to standard output only: a file is written whole or not at all.
+/// Throws CommandError (not_solved) where the run failed or --strict refuses it. First writes the
+/// remaining rows; on failure to standard output only, since a file is written whole or not at all.
 void require_success(const Task& task, const CheckedSummary& summary, SeriesWriter& writer) {
   const auto fail = [&](const std::string& what, long instants) {
     std::string text = task.input.source + ": " + what;

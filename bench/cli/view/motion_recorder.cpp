@@ -68,8 +68,8 @@ std::vector<double> MotionRecorder::state_of(const Instant& instant) {
   return state;
 }
 
-/// Keeps every instant of the stride. Holds any other until the next one shows whether it is the
-/// last one before a gap, which is kept, too.
+/// Keeps an instant whose index is a multiple of the stride. Holds any other one until the next
+/// instant comes: if that comes after a gap, the one held is kept, too.
 void MotionRecorder::keep(RecordedInstant instant) {
   if (passed_ && passed_->index + 1 < instant.index)  // the last one before a gap
     instants_.push_back(*std::move(passed_));
@@ -84,8 +84,9 @@ void MotionRecorder::keep(RecordedInstant instant) {
   if (instants_.size() > max_kept_) drop_every_second();
 }
 
-/// Doubles the stride. Drops all instants off it, except before gaps longer than the new stride. An
-/// instant dropped hands its condition number and radii to the next one kept.
+/// Doubles the stride. Drops all instants that are no multiples of it, except those before gaps
+/// longer than the new stride. A dropped instant hands its condition number and radii to the next
+/// one that is kept.
 void MotionRecorder::drop_every_second() {
   stride_ *= 2;
   std::vector<RecordedInstant> kept;

@@ -19,7 +19,7 @@ struct RecordedInstant {
   int index;                  ///< index in the grid
   std::vector<double> state;  ///< q, q̇, q̈, each of all coordinates, then of the measures
   double condition;           ///< largest condition number since the instant kept before
-  PerLevel<double> radius;    ///< largest relative radius since then; NaN: none was proven
+  PerLevel<double> radius;    ///< largest relative radius since that instant; NaN: none was proven
 };
 
 /// An interval that is flagged, and why.
@@ -31,9 +31,9 @@ struct Flag {
   std::vector<EntityId> open{};  ///< entities of the constraint that does not close
 };
 
-/// An observer that keeps every n-th instant, and the last one before every gap and the end. When
-/// more than `max_kept`, at least 4, are kept, it doubles n and drops the others. Gaps shorter than
-/// n instants are then no longer shown.
+/// An observer that keeps every n-th instant, and the last one before every gap and before the end.
+/// n is 1 at first. When more than `max_kept`, at least 4, are kept, it doubles n and drops the
+/// instants between. Gaps shorter than n instants are then no longer shown.
 class MotionRecorder final : public Observer {
  public:
   /// max_kept: number of instants to keep, those before gaps and the end not counted. progress:

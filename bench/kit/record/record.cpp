@@ -31,7 +31,7 @@ Json head(const Json& environment) {
 /// section: name of the only section. lists: an object of arrays; empty ones are left out.
 std::string record_text(const Json& environment, const std::string& section, const Json& lists) {
   std::string text = head(environment).dump(1);
-  text.erase(text.rfind('\n'));  // with the brace after it
+  text.erase(text.rfind('\n'));  // the last line, a brace
   text += ",\n " + Json(section).dump() + ": {";
   const char* separator = "\n  ";
   for (const auto& [name, list] : lists.items()) {
@@ -94,7 +94,7 @@ Json rounded_time_json(const std::vector<double>& seconds) {
 
 Json windows_json(const TimingWindows& windows) {
   const std::vector<long>& updates = windows.updates();
-  if (std::ranges::all_of(updates, [](long n) { return n == 0; }))  // nobody counts
+  if (std::ranges::all_of(updates, [](long n) { return n == 0; }))  // uncounted
     return {{"least", rounded_list(windows.least())}};
   Json samples = Json::array();
   for (const std::vector<double>& sample : windows.samples())
