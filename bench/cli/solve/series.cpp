@@ -61,14 +61,6 @@ bool is_known(const Column& column, const Instant& instant) {
   return column.coordinate < 0 || (!instant.q.empty() && !std::isnan(column.value(instant)));
 }
 
-/// Returns a field of CSV, quoted where RFC 4180 requires it.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string json_heading(const SeriesHeading& heading) {
   using Json = nlohmann::ordered_json;
   Json columns = Json::array({{{"name", "t"}, {"unit", "s"}}});
@@ -85,8 +77,9 @@ std::string json_heading(const SeriesHeading& heading) {
 
 std::string first_line(const SeriesHeading& heading) {
   if (heading.format == SeriesFormat::jsonl) return json_heading(heading);
+  // No heading needs quotes: names have neither commas, quotes nor line ends (is_name()).
   std::string text = "t [s]";
-  for (const Column& c : heading.columns) text += "," + csv_field(c.heading());
+  for (const Column& c : heading.columns) text += "," + c.heading();
   return text + (heading.remark.empty() ? "" : "," + heading.remark) + "\n";
 }
 
