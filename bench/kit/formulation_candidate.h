@@ -58,6 +58,7 @@ class FormulationCandidate : public Candidate {
   /// Runs the whole motion, by default without checks. This run is verified and timed.
   virtual Summary run(Formulation& formulation, Observer& observer) const;
 
+  /// Makes a formulation of the problem's plan. Throws what desmo::make_formulation() throws.
   std::unique_ptr<Formulation> make_formulation() const;
   /// Runs the whole motion again and again until `duration` [s] has passed. Returns the time [s] by
   /// clock(), divided by the number of instants delivered. The time includes assembly, drivers and

@@ -40,6 +40,7 @@ struct Problem {
   std::optional<Model> whole{};  ///< model whose motion the reference is; nothing: that of the plan
   std::string case_name{};       ///< <case> in names of benchmarks; empty: the mechanism's name
 
+  /// Returns the highest level that is solved.
   Level level() const { return plan.outputs.empty() ? Level::acceleration : plan.level(); }
 };
 

@@ -58,6 +58,7 @@ class ComparingObserver final : public Delivery {
                     std::span<const ReferenceInstant> reference, std::vector<Compared> compared);
 
   Flow observe(const Instant& instant) noexcept override;
+  /// Compares the copies with the reference. Leaves out instants that were not observed.
   Comparison compare() const;
 
  private:

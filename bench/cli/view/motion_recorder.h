@@ -48,7 +48,8 @@ class MotionRecorder final : public Observer {
   Flow observe(const Instant& instant) noexcept override;
 
   const std::vector<RecordedInstant>& instants() const { return instants_; }
-  int stride() const { return stride_; }
+  int stride() const { return stride_; }  ///< n of the class comment
+  /// Returns the number of instants solved, without those on a change point.
   long solved() const { return solved_; }
   const std::vector<Flag>& flags() const { return flags_; }  ///< in order of their beginning
   bool overflowed() const { return overflowed_; }            ///< a number is not finite

@@ -30,8 +30,8 @@ class Child {
   Child& operator=(const Child&) = delete;
   ~Child();  ///< closes its input and waits for its end
 
-  void say(std::string_view line);
-  std::string read_answer();  ///< the next line, without its end
+  void say(std::string_view line);  ///< sends a line, given without its end
+  std::string read_answer();        ///< the next line, without its end
 
   /// Closes its input and waits for its end. Returns its exit code, or 128 + the signal that ended
   /// it. output: receives everything that was not yet read. Throws std::runtime_error where the

@@ -34,7 +34,7 @@ class TimingWindows {
     if (counted_++ == last_instants_[next_]) end();
   }
 
-  std::size_t count() const { return last_instants_.size() - 1; }
+  std::size_t count() const { return last_instants_.size() - 1; }  ///< number of windows
   /// Returns the seconds of each window, for every whole analysis.
   const std::vector<std::vector<double>>& samples() const { return samples_; }
   /// Returns the least seconds of each window; infinite before the first whole analysis.
