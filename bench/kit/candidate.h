@@ -90,7 +90,7 @@ class Candidate {
   bool is_timed() const { return !seconds_.empty(); }
   /// Returns why it was refused; empty when it was not.
   std::string message() const { return refusal_ ? refusal_->reason : ""; }
-  /// Returns what its verification found before it ended or failed.
+  /// Returns what verify() found, as far as it came.
   const VerifyingRun& verifying_run() const { return verifying_run_; }
 
   const TimeGrid& grid() const { return grid_; }

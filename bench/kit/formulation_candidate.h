@@ -37,12 +37,12 @@ class FormulationCandidate : public Candidate {
   int coordinates() const;
 
   /// Takes a sample of a step's time by a formulation made anew on a fresh heap (see step_seconds).
-  /// duration: least time of the sample [s]. Does nothing unless it is verified.
+  /// duration: least time of the sample [s]. Does nothing unless the candidate is verified.
   void sample_afresh(double duration);
   /// Returns the least of the samples; infinite when there is none.
   double min_seconds() const;
-  /// Returns whether it has two samples or more and needs no others, since its motion takes longer
-  /// than long_motion_seconds [s].
+  /// Returns whether the candidate has two samples or more and needs no others, since its motion
+  /// takes longer than long_motion_seconds [s].
   bool has_enough_samples(double long_motion_seconds) const;
 
  protected:

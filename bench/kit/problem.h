@@ -20,7 +20,7 @@ struct Problem {
   Plan plan;  ///< the part of the model that is solved; no outputs or levels: everything
   TimeGrid grid;
   Reference reference = {};  ///< right answers at instants of the grid; empty: shared_reference()
-  double tolerance = Settings{}.tolerance;
+  double tolerance = Settings{}.tolerance;  ///< that of the candidates' settings
   /// The origin of the reference. "quadruple": two solutions in quadruple precision, which agree.
   /// "double": one in double precision, by code that no formulation uses, where the two would take
   /// minutes.

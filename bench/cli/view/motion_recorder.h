@@ -66,7 +66,7 @@ class MotionRecorder final : public Observer {
 
   /// A flag whose interval grows if the next row has the same flag.
   struct Lasting {
-    int last_row;       // index in the grid of the last row that has it
+    int last_row;       // index in the grid of the last row that has the flag
     std::size_t place;  // index in flags_
     GroupId group;
   };
