@@ -1,15 +1,10 @@
 // What bench/check measures with: the probe's candidates, the driver, and counts that repeat.
 
-#include <algorithm>
-#include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "bench/kit/candidate_name.h"
-#include "bench/kit/process/child.h"
 #include "bench/regression/measured_candidates.h"
 #include "bench/regression/rounds.h"
 #include "bench/regression/stepped_formulation.h"
@@ -35,22 +30,6 @@ TEST(CandidateNames, AreReadOrRefused) {
 }
 
 TEST(Control, HasTheNameThatTheReportReads) { EXPECT_STREQ(control_name, report::control_name); }
-
-TEST(Launch, PassesOnWhereLibrariesAre) {
-  ::setenv("DESMO_LIBCOINHSL", "/some/libcoinhsl.so", 1);
-  const std::vector<std::string> all = bench::fixed_launch({"program"}).environment;
-  ::unsetenv("DESMO_LIBCOINHSL");
-  EXPECT_EQ(std::ranges::count(all, "DESMO_LIBCOINHSL=/some/libcoinhsl.so"), 1);
-}
-
-TEST(Child, WhoseExitCodeIsLostIsNoSuccess) {
-  std::string output;
-  EXPECT_EQ(bench::Child(bench::fixed_launch({"/bin/false"})).finish(output), 1);
-  const auto handled = std::signal(SIGCHLD, SIG_IGN);
-  EXPECT_THROW(bench::Child(bench::fixed_launch({"/bin/false"})).finish(output),
-               std::runtime_error);
-  std::signal(SIGCHLD, handled);
-}
 
 TEST(MeasuredCandidates, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   for (const Variant& v : variants()) {
