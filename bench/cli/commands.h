@@ -42,7 +42,7 @@ inline std::string refuse_empty(const std::string& text) {
   return text.empty() ? "is empty; give a value or leave the option out" : "";
 }
 
-/// Returns the message that rejects NaN as an option's value, which CLI11's bounds accept; ""
+/// Returns the message that rejects NaN as an option's value, since CLI11's bounds accept it; ""
 /// accepts the text. For CLI::Option::check.
 inline std::string refuse_nan(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? "is not a number" : "";
@@ -74,7 +74,8 @@ inline void add_quiet(CLI::App& command, bool& quiet) {
 template <class Value>
 using Choices = std::vector<std::pair<std::string_view, Value>>;
 
-/// Returns the value of that name. Throws CLI::ValidationError, with the nearest names.
+/// Returns the value that has a name. Throws CLI::ValidationError, with the nearest names, where
+/// none has it.
 template <class Value>
 Value chosen(const std::string& option, std::string_view name, const Choices<Value>& choices) {
   std::vector<std::string_view> known;

@@ -12,10 +12,10 @@
 namespace desmo::cli {
 namespace {
 
-/// Largest offset (≤) that is meant as 0, divided by the equation's characteristic length.
+/// Largest offset (≤) that counts as 0, divided by the equation's characteristic length.
 constexpr double max_meant_as_zero = 1e-9;
 
-/// Largest difference (≤) of a table's value from the drawing that passes for none: [rad], or a
+/// Largest difference (≤) between a table's value and the drawing that counts as none: [rad], or a
 /// length divided by the equation's characteristic length. Drawings have some six digits.
 constexpr double max_difference = 1e-6;
 
@@ -35,7 +35,8 @@ std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const 
          "', and stays there\n";
 }
 
-/// c: the equation of a coupling by a table; its first operand follows its second.
+/// c: the equation of a coupling by a table f, s₁ = b + u f(k s₂). Its operands are s₁ and s₂, its
+/// numbers 0 to 2 are u, k and b.
 std::string note_on_table(const Constraint& c, const Model& m, const DisplayUnits& units) {
   const Entity &first = m.entities[c.operands[0]], &second = m.entities[c.operands[1]];
   const auto number = [&c](int k) { return c.constants[k].value; };
@@ -59,8 +60,8 @@ std::string note_on_table(const Constraint& c, const Model& m, const DisplayUnit
 std::string note_on_drawing(const Mechanism& d, const Model& m, const DisplayUnits& units) {
   std::string notes;
   for (const Mechanism::Joint& j : d.joints) notes += note_on_offset(d, j, m, units);
-  // Where a body has a frame or a length of its own, the drawing is an estimate, which says nothing
-  // of tables.
+  // Where a body has a frame or a length of its own, the drawing is an estimate: a table that
+  // contradicts it may be meant.
   if (std::ranges::any_of(d.bodies, [](const auto& body) { return body.own || body.length; }))
     return notes;
   for (const Constraint& c : m.constraints)

@@ -38,8 +38,8 @@ std::string read_standard_input(const std::string& source) {
   }
 }
 
-/// Returns a scene of the mechanism with its drivers at rest: a model needs some motion of them,
-/// even where nothing depends on it.
+/// Returns a scene of the mechanism with its drivers at rest: a model needs some motion of the
+/// drivers, even where no output depends on it.
 Scene at_rest(Mechanism mechanism) {
   Scene scene;
   scene.name = mechanism.name;
@@ -73,7 +73,8 @@ Input from_file(const std::string& name, bool mechanism_will_do) {
 }
 
 /// Returns the scene that "truck_suspension:5" names; none when no case has the name before the
-/// colon. Throws CommandError (usage_error) where a case has, but the number of units is wrong.
+/// colon. Throws CommandError (usage_error) where a case has it, but the number of units is missing
+/// or wrong.
 std::optional<Scene> scalable_case(const std::string& argument) {
   const std::size_t colon = argument.find(':');
   for (const Case& c : cases()) {

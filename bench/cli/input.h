@@ -16,8 +16,8 @@ namespace desmo::cli {
 /// faster where there is code, but most of a row's time goes into its proof.
 inline constexpr const char* default_formulation = "block_symbolic_inlined";
 
-/// A scene; one made from a mechanism file has drivers at rest, and no instants. `units` are those
-/// in which numbers are written and read; the scene's own numbers are in SI units.
+/// A scene. One made from a mechanism file has drivers at rest, and no instants. Commands write and
+/// read numbers in `units`; the scene's own numbers are in SI units.
 struct Input : ReadScene {
   std::string source;  ///< name of the input in messages
   std::string file;    ///< path of the file read, /dev/stdin for "-"; empty: no file was read

@@ -31,7 +31,7 @@ std::string named_group(const Group& group);
 /// Returns "group 'SG-II' (rod, slider), ", with which notes begin; "" for no group, -1.
 std::string in_group(GroupId group, const Model& model);
 
-/// Returns "t = 0.3 s".
+/// Returns "t = 0.3 s". time: [s]
 std::string time_text(double time);
 
 /// Returns "t = 1 s to 2 s"; "t = 1 s" where both times are the same in print.

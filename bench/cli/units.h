@@ -26,11 +26,11 @@ enum class UnitSystem {
 /// Adds the option --units, which sets `units`; it must outlive the command.
 void add_units(CLI::App& command, UnitSystem& units);
 
-/// Returns the unit of an entity's components, or of their rates. At position level that of unit
-/// vectors is "-"; that of lengths is "1" where the unit of length is free.
+/// Returns the unit of an entity's components, or of their rates. Unit vectors have "-" at position
+/// level. Lengths have "1" where the unit of length is free.
 DisplayUnit unit_of(const DisplayUnits& units, EntityKind kind, Level level = Level::position);
 
-/// Returns an SI value in a unit, with the unit's name: "12.5 mm"; without the name "1".
+/// Returns an SI value in a unit, with the unit's name: "12.5 mm". Leaves out the name "1".
 std::string quantity(double si, const DisplayUnit& unit, const char* format = "%.12g");
 
 }  // namespace desmo::cli

@@ -56,6 +56,4 @@ void Candidate::add_sample(double seconds) {
   if (is_verified_) seconds_.push_back(seconds);
 }
 
-void Candidate::add_to(nlohmann::ordered_json&) const {}
-
 }  // namespace desmo::bench

@@ -15,8 +15,10 @@ namespace desmo::bench {
 
 /// The run that verifies a candidate: what is found and measured.
 struct VerifyingRun {
-  std::string model{};    ///< digest of the model, for a request of the whole one; empty: not known
-  std::string results{};  ///< digest of what was compared with the reference; empty: not known
+  /// model_digest(), where a part is solved that of the whole model (Problem::whole); empty: not
+  /// known.
+  std::string model{};
+  std::string results{};  ///< Comparison::results; empty: not known
   Differences errors{};   ///< largest differences from the reference, up to `level`
   Level level = Level::acceleration;
   double setup_seconds = 0;     ///< CPU time of analysis, ordering and allocation [s]
@@ -57,23 +59,25 @@ class Candidate {
   Candidate(const Candidate&) = delete;
   Candidate& operator=(const Candidate&) = delete;
 
-  /// Returns the name of the benchmark: <case>/<coordinates>/<id>, and what else tells it apart.
+  /// Returns the name of the benchmark: <case>/<coordinates>/<id>. Derived classes may append more.
   virtual std::string name() const = 0;
 
   /// Solves the whole motion and compares it with a reference, shared_reference() unless the
   /// candidate brings its own. Does nothing when it was verified or refused before.
   void verify();
 
-  /// Measures how the time divides into phases, for candidates of which a record shows that. Does
-  /// nothing unless it is verified.
+  /// Measures the time of each phase, for candidates whose record holds it. Does nothing unless the
+  /// candidate is verified.
   virtual void profile() {}
 
-  /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
-  virtual void add_to(nlohmann::ordered_json& lists) const;
+  /// Adds the candidate's entries to the lists of a record (results/record.schema.json); none by
+  /// default.
+  virtual void add_to(nlohmann::ordered_json& /*lists*/) const {}
 
-  /// Makes an analysis, runs it, and discards it, on a fresh heap (see run_on_fresh_heap). Returns
-  /// the seconds of its run; by the wall clock, the least of several runs: others may interrupt
-  /// one. Returns nothing unless it is verified and the run goes well.
+  /// Makes an analysis, runs it and discards it, on a fresh heap (see run_on_fresh_heap). Returns
+  /// the time of the run [s]. By the wall clock, returns the least of several runs, since other
+  /// processes may interrupt one. Returns nothing unless the candidate is verified and all runs go
+  /// well.
   std::optional<double> time_afresh();
   /// Adds a time that was measured by clock(). Does nothing unless it is verified.
   void add_sample(double seconds);
@@ -86,7 +90,7 @@ class Candidate {
   bool is_timed() const { return !seconds_.empty(); }
   /// Returns why it was refused; empty when it was not.
   std::string message() const { return refusal_ ? refusal_->reason : ""; }
-  /// Returns what its verification found before it ended or failed.
+  /// Returns what verify() found, as far as it came.
   const VerifyingRun& verifying_run() const { return verifying_run_; }
 
   const TimeGrid& grid() const { return grid_; }
@@ -104,12 +108,12 @@ class Candidate {
   /// The result of a check; nothing: all is right.
   using Checked = std::optional<Refusal>;
 
-  /// Solves the whole motion and compares it with a reference. Fills in what it finds. What it
-  /// throws is a failure.
+  /// Solves the whole motion and compares it with a reference. Fills in what it finds. verify()
+  /// turns an exception into a Refusal of kind `failed`.
   virtual Checked check(VerifyingRun& found) = 0;
 
-  /// Makes the analysis that is timed, and assembles it once. windows: receives its times; outlives
-  /// it. Called by time_afresh() only.
+  /// Makes the analysis that is timed, with the mechanism assembled once. windows: receives the
+  /// times of the analysis, and outlives it. Called by time_afresh() only.
   virtual Analysis make_analysis(TimingWindows& windows) const = 0;
 
   /// Runs a measurement if the candidate is verified. An exception of it becomes a refusal.

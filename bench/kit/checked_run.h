@@ -39,7 +39,7 @@ inline std::string_view formulation_of(std::string_view id) {
 }
 
 /// Runs a motion, under a check unless the mode is none. Throws std::runtime_error where the motion
-/// was solved, but the check flags a row: its cost would not be that of an ordinary motion.
+/// was solved, but the check flags a row: such a run does not cost what an ordinary one costs.
 inline Summary run_under_check(Formulation& formulation, const TimeGrid& grid, const Request& asked,
                                Observer& observer, CheckMode mode) {
   if (mode == CheckMode::none) return formulation.run(grid, asked, observer);

@@ -16,6 +16,7 @@ const auto& values_at(const auto& solved, Level level) {
 /// vectors in the order of the request.
 class Delivery : public Observer {
  public:
+  /// coordinates, level: number of coordinates and level of the request.
   explicit Delivery(std::size_t coordinates, Level level = Level::acceleration)
       : outputs_(coordinates, level) {}
 

@@ -11,7 +11,7 @@ namespace desmo::bench {
 
 namespace {
 
-// text_of() returns numbers as text, with a blank before each.
+// text_of() returns numbers as text, with a blank before each. A list begins with its size.
 
 std::string text_of(int value) { return ' ' + std::to_string(value); }
 

@@ -18,10 +18,10 @@ namespace desmo::bench {
 /// compiler's and the C library's choice, makes no other model of it.
 std::string model_digest(const Model& model);
 
-/// Returns the multiple of `unit` nearest to a value. Within one unit of the reference, a value
-/// counts as the reference, so that equally right results never round apart, wherever they lie;
-/// farther away, the two do not round alike. NaN, and all values whose magnitude exceeds 10¹⁸
-/// units, have one common multiple.
+/// Returns the multiple of `unit` nearest to a value. A value within one unit of the reference
+/// counts as the reference, so all such values have the same multiple. A value farther away has
+/// another multiple than the reference. NaN, and all values whose magnitude exceeds 10¹⁸ units,
+/// have one common multiple.
 std::int64_t rounded(double value, double reference, double unit);
 
 }  // namespace desmo::bench

@@ -2,7 +2,8 @@
 
 namespace desmo::bench {
 
-/// Exit codes of the programs of bench/. From 64 on they are those of sysexits.h, where it has one.
+/// Exit codes of the programs of bench/. Codes from 64 on are those of sysexits.h, where that has a
+/// fitting one.
 /// The pages on the programs (bench/README.md, bench/cli/README.md) list them for users.
 enum ExitCode {
   success = 0,

@@ -102,12 +102,13 @@ std::vector<Compared> FormulationCandidate::compared(
   return all_compared(delivered(), request_.level, scales);
 }
 
-/// Makes a formulation and assembles it. By the wall clock, then runs it until its threads and
-/// their processors are awake: to wake them may take as long as a motion, and longer on virtual
-/// machines. This also holds for one thread with which several are compared.
+/// Makes a formulation and assembles the mechanism. Where the wall clock measures, also runs the
+/// motion until all threads and their processors are awake. Waking them may take as long as a
+/// motion, and longer on virtual machines. One thread that is compared with several is treated
+/// alike.
 std::unique_ptr<Formulation> FormulationCandidate::make_assembled() const {
   auto formulation = make_formulation();
-  static_cast<void>(formulation->assemble(grid().time(0), request_.level));  // verified to go well
+  static_cast<void>(formulation->assemble(grid().time(0), request_.level));  // check() saw success
   Delivery elsewhere(delivered(), request_.level);
   const double begin = now(clock());
   while (clock() == Clock::wall && now(clock()) - begin < min_wall_seconds)

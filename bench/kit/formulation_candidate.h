@@ -19,8 +19,8 @@ class FormulationCandidate : public Candidate {
  public:
   /// The problem must outlive the candidate.
   FormulationCandidate(const Problem& problem, const Configuration& configuration);
-  /// id: as parse_id() takes it, which throws for an unusable one; it stays the candidate's id.
-  /// others: settings that the id does not name.
+  /// id: becomes the candidate's id; parse_id() reads it and throws for an unusable one. others:
+  /// settings that the id does not name.
   FormulationCandidate(const Problem& problem, std::string_view id, const Settings& others);
 
   const Problem& problem() const { return problem_; }
@@ -37,31 +37,32 @@ class FormulationCandidate : public Candidate {
   int coordinates() const;
 
   /// Takes a sample of a step's time by a formulation made anew on a fresh heap (see step_seconds).
-  /// duration: least time of the sample [s]. Does nothing unless it is verified.
+  /// duration: least time of the sample [s]. Does nothing unless the candidate is verified.
   void sample_afresh(double duration);
   /// Returns the least of the samples; infinite when there is none.
   double min_seconds() const;
-  /// Returns whether it has two samples or more and needs no others, since its motion takes longer
-  /// than long_motion_seconds [s].
+  /// Returns whether the candidate has two samples or more and needs no others, since its motion
+  /// takes longer than long_motion_seconds [s].
   bool has_enough_samples(double long_motion_seconds) const;
 
  protected:
-  /// id: the candidate's id, without settings that all candidates share. configuration: with them.
+  /// id: the candidate's id, without settings that all candidates share. configuration: variant and
+  /// all settings, shared ones included.
   FormulationCandidate(const Problem& problem, std::string_view id,
                        const Configuration& configuration, Clock by = Clock::cpu);
 
   /// Compares with the problem's own reference or, where it has none, with shared_reference(). The
-  /// allowed difference is multiplied by Problem::tolerance divided by the usual one, if that is
-  /// more than 1.
+  /// allowed differences are max(1, Problem::tolerance / usual tolerance) times allowed_difference.
   Checked check(VerifyingRun& found) override;
 
-  /// Runs the whole motion, which is what is verified and timed; by default without checks.
+  /// Runs the whole motion, by default without checks. This run is verified and timed.
   virtual Summary run(Formulation& formulation, Observer& observer) const;
 
+  /// Makes a formulation of the problem's plan. Throws what desmo::make_formulation() throws.
   std::unique_ptr<Formulation> make_formulation() const;
-  /// Returns the time of a step by clock(): the whole motion with its assembly, drivers and
-  /// delivery into plain vectors, divided by the number of instants delivered; repeated until that
-  /// took `duration` [s]. Throws std::runtime_error where the motion cannot be solved.
+  /// Runs the whole motion again and again until `duration` [s] has passed. Returns the time [s] by
+  /// clock(), divided by the number of instants delivered. The time includes assembly, drivers and
+  /// delivery into plain vectors. Throws std::runtime_error where the motion cannot be solved.
   double step_seconds(Formulation& formulation, double duration) const;
 
   const Request request_;

@@ -7,15 +7,15 @@
 
 namespace desmo::bench {
 
-/// Runs `work` to its end on a thread of its own, which has a heap of its own. On a heap on which
-/// others have left memory, data lie scattered, and an analysis may take a quarter longer, in one
-/// run and not in the next. The place of the data, worth some percent, is drawn anew each time.
-/// Throws what `work` throws.
+/// Runs `work` to its end on a thread of its own, which has a heap of its own. On a heap with freed
+/// memory of earlier work, data lie scattered: an analysis may take a quarter longer, in one run
+/// and not in the next. The place of the data changes times by some percent, and is drawn at random
+/// in each call. Throws what `work` throws.
 void run_on_fresh_heap(const std::function<void()>& work);
 
 /// Keeps freed memory in the process. Otherwise large blocks that UMFPACK frees after each
 /// factorisation go back to the system, and page faults are timed when they are needed again.
-/// It depends on what ran before whether that happens.
+/// Whether that happens depends on what ran before.
 void keep_freed_memory();
 
 /// Returns the bytes that are allocated on the heap at this moment. Unlike the size of the process

@@ -20,16 +20,17 @@ struct Problem {
   Plan plan;  ///< the part of the model that is solved; no outputs or levels: everything
   TimeGrid grid;
   Reference reference = {};  ///< right answers at instants of the grid; empty: shared_reference()
-  double tolerance = Settings{}.tolerance;
+  double tolerance = Settings{}.tolerance;  ///< that of the candidates' settings
   /// The origin of the reference. "quadruple": two solutions in quadruple precision, which agree.
   /// "double": one in double precision, by code that no formulation uses, where the two would take
   /// minutes.
   const char* checked_against = "quadruple";
-  /// Returns why a formulation is not to be run; empty: it is to be run. No function: all are.
+  /// Returns why a formulation is not to be run; empty: it is to be run. Without this function all
+  /// formulations are run.
   std::function<std::string(const Configuration&)> missing{};
   KernelTable kernels{};  ///< generated code, in addition to what desmo was built with
-  /// The coordinates that are delivered; empty: all. Without `compared`, the order is that of the
-  /// reference.
+  /// The coordinates that are delivered; empty: all. Without `compared`, the reference must have
+  /// the same ones in the same order.
   std::vector<int> delivered{};
   /// The values that are compared; empty: all that is delivered.
   std::vector<Compared> compared{};
@@ -39,6 +40,7 @@ struct Problem {
   std::optional<Model> whole{};  ///< model whose motion the reference is; nothing: that of the plan
   std::string case_name{};       ///< <case> in names of benchmarks; empty: the mechanism's name
 
+  /// Returns the highest level that is solved.
   Level level() const { return plan.outputs.empty() ? Level::acceleration : plan.level(); }
 };
 

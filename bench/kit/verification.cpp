@@ -10,7 +10,6 @@
 
 #include "bench/kit/digests.h"
 #include "cases/mechanism/formatted.h"
-#include "formulations/model/partition.h"
 #include "formulations/model/scales.h"
 #include "formulations/motion/internals.h"
 #include "formulations/runtime/digest.h"
@@ -136,7 +135,7 @@ std::vector<double> spread_times(const TimeGrid& grid, int count) {
   std::vector<double> times;
   for (long i = 0; i < pieces; ++i) {
     const long begin = i * last / pieces, end = (i + 1) * last / pieces;
-    const double turns = static_cast<double>(i) * std::numbers::phi;  // its fractions fill [0, 1)
+    const double turns = static_cast<double>(i) * std::numbers::phi;  // fractions: all over [0, 1)
     const double part = (turns - std::floor(turns)) * static_cast<double>(end - begin);
     times.push_back(grid.time(static_cast<int>(begin + static_cast<long>(part))));
   }

@@ -58,6 +58,7 @@ class ComparingObserver final : public Delivery {
                     std::span<const ReferenceInstant> reference, std::vector<Compared> compared);
 
   Flow observe(const Instant& instant) noexcept override;
+  /// Compares the copies with the reference. Leaves out instants that were not observed.
   Comparison compare() const;
 
  private:
@@ -71,8 +72,8 @@ class ComparingObserver final : public Delivery {
   const std::vector<Compared> compared_;
 };
 
-/// Returns the scales of coordinates in a motion that the reference samples (Scales); 1 for fixed
-/// coordinates, and for rates where nothing moves.
+/// Returns the scales (Scales) of all coordinates, at each level, in the motion of the reference; 1
+/// for fixed coordinates, and for rates where nothing moves.
 PerLevel<std::vector<double>> coordinate_scales(const Model& model,
                                                 std::span<const ReferenceInstant> reference);
 
@@ -81,19 +82,19 @@ PerLevel<std::vector<double>> coordinate_scales(const Model& model,
 std::string verification_failure(const Differences& errors, std::size_t expected_instants,
                                  double times = 1);
 
-/// Throws std::runtime_error, naming the mechanism, where `floor` exceeds 1e-20: neither solution
-/// is a reference then. floor: the difference of two quadruple-precision solutions at each level,
-/// relative to the mechanism's size, largest speed and largest acceleration.
+/// Throws std::runtime_error, naming the mechanism, where `floor` exceeds 1e-20 at a level. floor:
+/// the difference of two quadruple-precision solutions at each level, relative to the mechanism's
+/// size, largest speed and largest acceleration. Where it is larger, neither is a reference.
 void require_agreement(const Model& model, const PerLevel<double>& floor);
 
 /// Returns how many parts lack the generated code that the formulation's id promises, in words;
 /// empty: none. Such a part falls back to automatic equations, and must not be timed under that id.
 std::string missing_code(const Formulation& formulation);
 
-/// Returns `count` times [s] of a grid, 2 or more: its first, its last, and one from each further
-/// piece of the grid, which is cut into count − 1 equal pieces. Their distances are irregular. At
-/// regular ones all might be multiples of a stride, so that no interpolated instant would be
-/// compared.
+/// Returns `count` times [s] of a grid, 2 or more. Cuts the grid into count − 1 equal pieces. Takes
+/// the grid's first time, a time from each further piece, and the grid's last. Their distances are
+/// irregular. At regular ones all might be multiples of a stride, so that no interpolated instant
+/// would be compared.
 std::vector<double> spread_times(const TimeGrid& grid, int count);
 
 /// Returns the quadruple-precision reference of a motion at up to 51 instants, first and last among

@@ -8,8 +8,8 @@
 
 namespace desmo::regression {
 
-/// Counts the instructions of a fixed number of steps with a fixed number of iterations, of each
-/// candidate on each side. Returns them as `work` of a results file. Throws std::runtime_error,
+/// Counts, for each candidate on each side, the instructions of a fixed number of steps with a
+/// fixed number of iterations. Returns them as `work` of a results file. Throws std::runtime_error,
 /// naming the candidate, when they cannot be counted.
 nlohmann::ordered_json counted_work(const std::vector<std::string>& names,
                                     const std::vector<Side>& sides);
@@ -21,10 +21,10 @@ struct Commit {
   std::string message;  ///< first line of its message
 };
 
-/// Counts the candidates in a commit's programs and adds a point to a history, which may be empty.
-/// A candidate that the programs do not have is null in the point; one that the history does not
-/// have yet is null in all earlier points. Throws std::runtime_error when something cannot be
-/// counted.
+/// Counts the instructions of candidates in a commit's programs, and adds a point to a history,
+/// which may be empty. A candidate that the programs do not have is null in the point. One that the
+/// history does not have yet becomes null in all its other points. Throws std::runtime_error when
+/// something cannot be counted.
 void add_point(nlohmann::ordered_json& history, const Side& programs, const Commit& commit,
                const std::vector<std::string>& names);
 

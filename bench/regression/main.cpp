@@ -34,7 +34,7 @@ struct Options {
   std::string base, head, file, slow;
   Names names;
   Commit commit;
-  std::string pass = "first";
+  std::string pass;  ///< "first" or "second"
   std::uint64_t seed = 1;
   bool time = true, work = true;
 };
@@ -84,7 +84,7 @@ std::string name_of(const Json& candidate) {
   return bench::CandidateName{candidate["case"], candidate["coordinates"], candidate["id"]}.text();
 }
 
-/// Brings a record of schema 2, which calls candidates cells, to the schema that is written.
+/// Turns a record of schema 2, which calls candidates cells, into one of the current schema.
 void bring_up_to_date(Json& record) {
   Json& paper = record["paper"];
   if (!paper.contains("cells")) return;
@@ -105,8 +105,8 @@ Json verified(const std::vector<Side>& sides, const Names& names) {
   return records;
 }
 
-/// Returns the names of the candidates that are right on all sides. What is wrong on one side is
-/// never measured, and what one side lacks cannot be compared.
+/// Returns the names of the candidates that are right on all sides. A candidate that is wrong on
+/// one side is never measured, and one that a side lacks cannot be compared.
 Names sound(Names sound, const Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
     for (const Json& candidate : check[side.name]["paper"]["candidates"])

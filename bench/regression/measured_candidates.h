@@ -7,8 +7,8 @@ namespace desmo::regression {
 
 /// Returns the names of the candidates that bench/check measures: every partition, evaluation and
 /// algebra of the table of variants at least once, each at a size that takes about a millisecond.
-/// Left out are algebras that exist on some machines only, and the four-bar's groups of two
-/// unknowns with LAPACK or Eigen: calls are most of their time, and it changes by 5 % with the
+/// Leaves out algebras that exist on some machines only. Leaves out the four-bar's groups of two
+/// unknowns with LAPACK or Eigen: their time is mostly that of calls, which changes by 5 % with the
 /// alignment of code alone.
 std::vector<std::string> measured_candidates();
 

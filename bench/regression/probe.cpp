@@ -1,11 +1,11 @@
-// desmo_probe: the program that bench/check builds of both trees and puts questions to.
+// desmo_probe: the program that bench/check builds in both trees. It answers questions.
 //   desmo_probe names                                 the candidates that bench/check measures
-//   desmo_probe verify INSTANTS NAME...               a record of them, verified and not timed
+//   desmo_probe verify INSTANTS NAME...               a record of candidates, verified, not timed
 //   desmo_probe time INSTANTS [NAME PERCENT]          times candidates as standard input asks,
 //                                                   NAME by PERCENT slower, to test the check
-// A question of `time` is a line NAME REPETITIONS PLACEMENT, where NAME may be "control". PLACEMENT
-// moves the candidate's data in memory, by 16 bytes each. The answer is the least CPU time of one
-// analysis among the repetitions [s].
+// A question of `time` is a line NAME REPETITIONS PLACEMENT, where NAME may be "control". The
+// candidate's data are moved in memory by 16 · PLACEMENT bytes. The answer is the least CPU time of
+// one analysis among the repetitions [s].
 
 #include <algorithm>
 #include <exception>
@@ -73,18 +73,18 @@ double min_seconds(int repetitions, const Call& call) {
 
 volatile double control_result;  // so that the kernel is not optimised away
 
-/// Returns the least CPU time [s] of an analysis among all repetitions. percent: by how much it is
-/// made slower on purpose; the control never is.
+/// Returns the least CPU time [s] of an analysis among all repetitions. percent: by how much the
+/// analysis is made slower on purpose; the control never is.
 double time(const std::string& name, int instants, double percent, int repetitions, int placement) {
   if (name == control_name)
     return min_seconds(repetitions, [] { control_result = control_kernel(); });
-  // Where the candidate's data lie in cache lines and pages is luck, so each question draws it
-  // anew.
+  // Places of data in cache lines and pages change times by chance. So desmo_check draws another
+  // placement for each question.
   const std::vector<char> shift(16 * static_cast<std::size_t>(placement));
   const bench::CandidateName parsed = bench::parse_name(name);
   const bench::Problem problem = problem_of(parsed, instants);
   SteppedFormulation stepped(problem, parsed.id);
-  const int last = stepped.last_instant(), extra = extra_steps(last, percent);
+  const int last = instants - 1, extra = extra_steps(last, percent);
   return min_seconds(repetitions, [&] {
     Summary s = stepped.run();
     if (s.ok() && extra > 0) s = stepped.walk(last - 1, last - extra);

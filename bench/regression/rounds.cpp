@@ -14,7 +14,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-constexpr int placements = 256;  // number of places of data, 16 bytes apart: a page
+constexpr int placements = 256;  // number of places of data, 16 bytes apart: 4096 bytes, a page
 
 /// Starts a side's desmo_probe on a core (-1: any), ready to time candidates.
 std::unique_ptr<bench::Child> start(const Side& side, int core) {

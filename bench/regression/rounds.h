@@ -20,8 +20,8 @@ struct TimingSettings {
 /// Settings with which the instructions of a candidate are counted.
 struct CountingSettings {
   static constexpr int steps = 105;  ///< number of steps, uncounted ones included
-  /// Number of first steps that are not counted: after them pivots are chosen, and positions are
-  /// near the solution (see desmo_steps).
+  /// Number of first steps that are not counted. They choose pivots and bring positions near the
+  /// solution (see desmo_steps).
   static constexpr int uncounted_steps = 5;
   static constexpr int iterations = 3;  ///< number of Newton–Raphson iterations in every step
 };

@@ -18,8 +18,8 @@ namespace desmo::regression {
 bench::Problem problem_of(const bench::CandidateName& name, int instants);
 
 /// A formulation ready to be run, or stepped through, while its instructions are counted or its
-/// time is taken. It is no bench::Candidate: that would link the quadruple reference, whose copies
-/// of templates are compiled for size, into the counted program.
+/// time is taken. It is no bench::Candidate: that would link the quadruple reference into the
+/// counted program, with copies of templates that are compiled with little optimisation.
 class SteppedFormulation {
  public:
   /// problem: outlives this. others: settings that the id does not name. Throws
@@ -42,7 +42,6 @@ class SteppedFormulation {
   }
 
   const Settings& settings() const { return configuration_.settings; }
-  int last_instant() const { return grid.instants - 1; }
   Formulation& formulation() { return *formulation_; }
   Observer& delivery() { return delivery_; }
 

@@ -1,6 +1,6 @@
-# desmo_linked_documents(RESULT FILE...): these files of the source tree, and every one that they
-# link to, directly or not: all that an installed document needs for its links, and nothing else
-# that happens to lie in the tree.
+# desmo_linked_documents(RESULT FILE...): sets RESULT to these files of the source tree and all
+# files that they link to, directly or not. So links of installed documents work, and nothing else
+# of the tree is installed.
 function(desmo_linked_documents result)
   set(unread ${ARGN})
   set(documents "")
@@ -19,15 +19,15 @@ function(desmo_linked_documents result)
   set(${result} ${documents} PARENT_SCOPE)
 endfunction()
 
-# desmo_links(RESULT FILE): where the relative links of a Markdown file point, from the source tree;
-# of any other file nothing.
+# desmo_links(RESULT FILE): sets RESULT to the targets of a Markdown file's relative links, as paths
+# from the source tree; to nothing for any other file.
 function(desmo_links result document)
   set(targets "")
   if(document MATCHES "\\.md$")
     cmake_path(GET document PARENT_PATH folder)
     file(READ ${PROJECT_SOURCE_DIR}/${document} text)
     string(REGEX REPLACE "\\]\\(|(src|href)=\"" "\nlink " text "${text}")
-    string(REGEX REPLACE "[][;]" " " text "${text}")  # would part or join elements of a list
+    string(REGEX REPLACE "[][;]" " " text "${text}")  # these divide or join elements of a list
     string(REGEX MATCHALL "\nlink [^:)\"# \n]+[)\"#]" links "${text}")
     foreach(link IN LISTS links)
       string(REGEX REPLACE "^\nlink |[)\"#]$" "" link "${link}")

@@ -1,5 +1,5 @@
-# The headers that are installed: true files, in their folders below include/desmo, and for each
-# concept a header <desmo/NAME.h> that includes those of its own.
+# Installs headers in their folders below include/desmo. For each concept NAME, adds a header
+# <desmo/NAME.h> that includes the headers NAME_h.
 
 set(mechanism_h cases/mechanism/mechanism.h cases/mechanism/builder.h)
 set(scene_h cases/mechanism/motion.h cases/mechanism/scene.h)
@@ -18,7 +18,7 @@ set(range_h formulations/verification/range/driver_range.h)
 set(generated_code_h formulations/runtime/generated_code.h)
 set(reference_h formulations/verification/condition.h formulations/verification/error.h
   formulations/verification/reference/reference.h)
-# What these include.
+# Further headers, which the ones above include.
 set(installed_headers cases/io/input_error.h cases/io/units.h cases/mechanism/level.h
   cases/numbers/derived.h formulations/base/live_row.h formulations/base/modelling.h
   formulations/base/output.h formulations/base/per_level.h formulations/base/reference_instant.h

@@ -101,6 +101,17 @@ TEST_F(View, NamesTheExtremumWhereATableLocks) {
               "the motion locks: the table has an extremum at a = 60 deg");
 }
 
+TEST_F(View, SaysThatTheDrawingIsSingular) {
+  const std::string drawn = replaced(slider_crank(150, R"(, "time": {"end": 0.1, "step": 0.1})"),
+                                     R"("ground": {"points": ["A"])",
+                                     R"("ground": {"points": ["A", "P"])"),
+                    measured = replaced(drawn, R"("theta": {"angle")",
+                                        R"("d": {"distance": ["P", "C"]}, "theta": {"angle")");
+  write("zero.json", replaced(measured, "\"A\": [0, 0],", "\"A\": [0, 0], \"P\": [200, 0],"));
+  expect_said(1, "view zero.json -o out/page.html",
+              "constraint 'd: definition', t = 0 s: the drawing is singular");
+}
+
 TEST_F(View, ShowsTheEstimateWhereNothingCanBeAssembled) {
   write("scene.json", slider_crank(30, R"(, "time": {"start": 0.25, "end": 0.3, "step": 0.01})"));
   expect_said(1, "view scene.json -o out/page.html", "the page shows the initial estimate");

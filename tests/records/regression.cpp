@@ -1,13 +1,10 @@
 // What bench/check measures with: the probe's candidates, the driver, and counts that repeat.
 
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "bench/kit/candidate_name.h"
-#include "bench/kit/process/child.h"
 #include "bench/regression/measured_candidates.h"
 #include "bench/regression/rounds.h"
 #include "bench/regression/stepped_formulation.h"
@@ -34,13 +31,6 @@ TEST(CandidateNames, AreReadOrRefused) {
 
 TEST(Control, HasTheNameThatTheReportReads) { EXPECT_STREQ(control_name, report::control_name); }
 
-TEST(Launch, PassesOnWhereLibrariesAre) {
-  ::setenv("DESMO_LIBCOINHSL", "/some/libcoinhsl.so", 1);
-  const std::vector<std::string> all = bench::fixed_launch({"program"}).environment;
-  ::unsetenv("DESMO_LIBCOINHSL");
-  EXPECT_EQ(std::ranges::count(all, "DESMO_LIBCOINHSL=/some/libcoinhsl.so"), 1);
-}
-
 TEST(MeasuredCandidates, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   for (const Variant& v : variants()) {
     if (const auto* b = find_backend(v.algebra); b && b->absence)
@@ -65,7 +55,6 @@ TEST(SteppedFormulation, WalksBackAndForthToTheSameSolution) {
   const bench::Problem problem = problem_of({"four_bar", 24, id}, 21);
   SteppedFormulation stepped(problem, id);
   ASSERT_TRUE(stepped.run().ok());
-  EXPECT_EQ(stepped.last_instant(), 20);
   const Summary back = stepped.walk(19, 10);
   ASSERT_TRUE(back.ok());
   EXPECT_DOUBLE_EQ(back.time, 0.1);

@@ -37,7 +37,7 @@ Json list_groups(const Model& m) {
                       {"bodies", group.bodies},
                       {"moving_bodies", 0},  // N_m of the paper; rigidly joined ones count as one
                       {"driven", Json::array()},     // n_c of the paper: coordinates driven in it
-                      {"couplings", Json::array()},  // those whose equations the group contains
+                      {"couplings", Json::array()},  // couplings whose equations it contains
                       {"unknowns", 0},
                       {"solves_for", Json::array()},  // entities neither derived, driven nor fixed
                       {"entities", names_at(m.entities, group.entities)},
@@ -67,7 +67,8 @@ void add_entities(const Model& m, Json& groups) {
       groups[m.entities[e].group]["solves_for"].push_back(m.entities[e].name);
 }
 
-/// Returns the constraints of the equations, each with those of its rows that are among them.
+/// Returns the constraints that the equations belong to. Each has the list of its rows that are
+/// among the equations.
 Json equations_json(const Model& m, const std::vector<Equation>& equations) {
   Json list = Json::array();
   for (std::size_t i = 0; i < equations.size(); ++i) {

@@ -63,9 +63,9 @@ NamedEnd with_names(const RangeEnd& end, const char* direction, const Model& m,
           bodies_of(end.constraints, m, d)};
 }
 
-/// The position at the start, and what is proven of it. Where none can be assembled, as at a dead
-/// point, q is the model's estimate, which may be near enough. Drivers have their values at the
-/// start in either case.
+/// The position at the start, and what is proven of it. Where no position can be assembled, as at a
+/// dead point, q is the model's estimate, which may be near enough. In either case drivers have
+/// their values at the start.
 struct Start {
   CheckedSummary summary;
   std::vector<double> q;

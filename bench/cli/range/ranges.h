@@ -33,7 +33,9 @@ struct Ranges {
   std::vector<NamedRange> drivers;
 };
 
+/// Returns the ranges as text for people.
 std::string to_text(const Ranges& ranges);
+/// Returns the ranges as JSON, with all digits, and constraints by name.
 std::string to_json(const Ranges& ranges);
 
 }  // namespace desmo::cli

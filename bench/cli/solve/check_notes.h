@@ -14,8 +14,9 @@ namespace desmo::cli {
 std::string note_on_proofs(const CheckedSummary& summary, const CheckOptions& check, Level level,
                            const Model& model, const DisplayUnits& units);
 
-/// Returns a line each on flagged rows, on the first change point, on the largest contradiction,
-/// and on the number of change points if several; "" if there are none.
+/// Returns a line each on flagged rows, on the first change point unless the first flag is of it,
+/// on the largest contradiction, and on the number of change points if several; "" if there are
+/// none.
 std::string note_on_flags(const CheckedSummary& summary, const Model& model,
                           const DisplayUnits& units);
 

@@ -15,11 +15,11 @@ namespace desmo::cli {
 /// A column: one number for each instant.
 struct Column {
   std::string name;  ///< "C.x", "d/dt C.x", "d2/dt2 C.x"
-  DisplayUnit
-      unit;  ///< "mm", "mm/s", "mm/s^2"; "deg", …; "-" for unit vectors; "1" for a free length
+  /// "mm", "mm/s", "mm/s^2"; "deg", …; "-" for unit vectors; "1" for lengths of a free unit.
+  DisplayUnit unit;
   Level level;
   int order = 0;          ///< order of the time derivative that the name stands for: 0, 1 or 2
-  int coordinate = -1;    ///< index in q, q̇ or q̈, after which measures follow; -1: a constant
+  int coordinate = -1;    ///< index in q, q̇ or q̈ (measures follow coordinates); -1: a constant
   double constant = 0;    ///< value of a constant column, in SI units
   bool may_lack = false;  ///< numbers may be missing (NaN), such as a ratio of rates at rest
 

@@ -13,11 +13,12 @@
 
 namespace desmo::cli {
 
-/// Reader of driver values, line by line: t, then z of each driver, ż of each and z̈ of each. They
-/// are in the order of the scene's drivers and in the units of the output. Commas or blanks
-/// separate the numbers. Empty lines are skipped. A first line that does not begin with a number is
-/// a heading: it names the columns as the output does ("t [s],theta [rad],d/dt theta [rad/s]";
-/// units may be left out), in any order. Columns that belong to no driver are then ignored.
+/// Reader of driver values, line by line: the time t, then the coordinate z of each driver, ż of
+/// each and z̈ of each. They are in the order of the scene's drivers and in the units of the
+/// output. Commas or blanks separate the numbers. Empty lines are skipped. A first line that does
+/// not begin with a number is a heading: it names the columns as the output does ("t [s],theta
+/// [rad],d/dt theta [rad/s]"; units may be left out), in any order. Columns that belong to no
+/// driver are then ignored.
 class DriverRows {
  public:
   /// Opens a file, or standard input for "-". Throws CommandError (unreadable_input).
@@ -48,7 +49,7 @@ class DriverRows {
 
   std::string source_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::vector<std::vector<Column>> columns_;  // the column of a driver of `whole`, at each level
+  std::vector<std::vector<Column>> columns_;  // by driver of `whole`: its column at each level
   std::vector<int> wanted_;  // by driver of `whole`: its index in a LiveRow; -1: it is not solved
   int level_;
   long line_ = 0;

@@ -110,6 +110,15 @@ std::string start_text(const Model& m, const DisplayUnits& units, std::span<cons
   return text;
 }
 
+CheckedSummary failure_of(const Gap& gap, const CheckedSummary& run) {
+  CheckedSummary failure;
+  static_cast<BasicSummary&>(failure) = gap.failure;
+  failure.start = run.start;
+  failure.assembly_error = gap.assembly_error;
+  failure.table_lock = gap.table_lock;
+  return failure;
+}
+
 std::string note_on_gaps(const CheckedSummary& s, const Model& m, const DisplayUnits& units) {
   std::string note;
   for (const Gap& gap : s.gaps)

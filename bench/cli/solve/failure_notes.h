@@ -16,6 +16,9 @@ namespace desmo::cli {
 std::string failure_text(const CheckedSummary& summary, const Model& model,
                          const DisplayUnits& units, std::span<const double> z = {});
 
+/// Returns the failure that began a gap of a run, for failure_text().
+CheckedSummary failure_of(const Gap& gap, const CheckedSummary& run);
+
 /// Returns "; driver 's' starts at 0.2 mm, and is at 200 mm in the drawing", for at most three
 /// drivers, the farthest from the drawing first; "" where all start as drawn.
 /// - z: values of the drivers

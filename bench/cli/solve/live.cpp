@@ -21,7 +21,7 @@ std::string_view outcome_name(const LiveSummary& s) {
                                             : "failed";
 }
 
-/// Adds the summary of a row that was solved to that of the rows before it.
+/// Adds the summary of a row that was solved to `total`, the summary of the rows before it.
 void add(const LiveSummary& s, const Scales& scales, CheckedSummary& total) {
   total.add(s);
   total.condition = std::max(total.condition, s.condition);

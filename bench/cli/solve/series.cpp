@@ -26,8 +26,9 @@ Quadruple as_written(double value) {
 /// Returns start + count · step, computed with the decimal numbers of as_written() and rounded to a
 /// double.
 double decimal_time(double start, double step, std::int64_t count) {
-  // A time with |time| < max_rounding · |start| is 0. Roundings leave 1e-33 |start| where decimals
-  // cancel; where those of 17 digits do not, at least 4e-27 |start| is left within 2³¹ steps.
+  // Where the decimals cancel, roundings of the sum leave about 1e-33 |start|. Where they do not,
+  // at least 4e-27 |start| is left: decimals have 17 digits, and count is below 2³¹. So a time with
+  // |time| < max_rounding · |start| is 0.
   constexpr double max_rounding = 1e-30;
   const Quadruple first = as_written(start), time = first + count * as_written(step);
   return abs(time) < max_rounding * abs(first) ? 0 : static_cast<double>(time);
@@ -41,8 +42,9 @@ void append_number(double value, std::string& text) {
   text.append(digits, end);
 }
 
-/// Appends a time [s] as it was asked for. An instant of the grid is written by decimal_time(): its
-/// double has the rounding of `step` once for each step. Any other time is appended as it is.
+/// Appends a time [s]. An instant of the grid is appended as decimal_time() computes it from the
+/// numbers that the user wrote: TimeGrid::time() multiplies the rounding of `step` by the number of
+/// steps. Any other time is appended as it is.
 void append_time(double time, const TimeGrid& grid, std::string& text) {
   const double index = std::round((time - grid.start) / grid.interval());
   const bool is_instant =
@@ -53,18 +55,10 @@ void append_time(double time, const TimeGrid& grid, std::string& text) {
   append_number(time, text);
 }
 
-/// Returns whether a column has a number at an instant. Rates lack it on a change point, ratios of
-/// rates where nothing moves.
+/// Returns whether a column has a number at an instant. Rates have none on a change point, ratios
+/// of rates none where nothing moves.
 bool is_known(const Column& column, const Instant& instant) {
   return column.coordinate < 0 || (!instant.q.empty() && !std::isnan(column.value(instant)));
-}
-
-/// Returns a field of CSV, quoted where RFC 4180 requires it.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string json_heading(const SeriesHeading& heading) {
@@ -83,8 +77,9 @@ std::string json_heading(const SeriesHeading& heading) {
 
 std::string first_line(const SeriesHeading& heading) {
   if (heading.format == SeriesFormat::jsonl) return json_heading(heading);
+  // No heading needs quotes: names have neither commas, quotes nor line ends (is_name()).
   std::string text = "t [s]";
-  for (const Column& c : heading.columns) text += "," + csv_field(c.heading());
+  for (const Column& c : heading.columns) text += "," + c.heading();
   return text + (heading.remark.empty() ? "" : "," + heading.remark) + "\n";
 }
 
@@ -124,7 +119,7 @@ SeriesWriter::SeriesWriter(const SeriesHeading& heading, Measures& measures, Out
 
 Flow SeriesWriter::observe(const Instant& solved) noexcept try {
   const Instant instant = measures_.extend(solved);
-  // The row is flagged. One on a change point lacks rates.
+  // A row has a remark if it is flagged. A flagged row on a change point lacks rates.
   const bool may_lack = !remark_.empty();
   const auto finite = [&](const Column& column) {
     const double value = column.value(instant);

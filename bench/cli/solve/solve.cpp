@@ -98,19 +98,8 @@ CheckedSummary run_through(const Task& task, Formulation& formulation, SeriesWri
   return run_checked(formulation, task.input.scene.grid, Request{task.plan.level()}, writer, check);
 }
 
-/// Returns the failure that ended a run or, where all instants are in gaps, that of the first gap.
-CheckedSummary failure_of(const CheckedSummary& summary) {
-  CheckedSummary failure = summary;
-  if (!summary.ok()) return failure;
-  const Gap& gap = summary.gaps.front();
-  static_cast<BasicSummary&>(failure) = gap.failure;
-  failure.assembly_error = gap.assembly_error;
-  failure.table_lock = gap.table_lock;
-  return failure;
-}
-
-/// Throws CommandError (not_solved) where the run failed or --strict refuses it. Writes the
-/// remaining rows first, on failure to standard output only: a file is written whole or not at all.
+/// Throws CommandError (not_solved) where the run failed or --strict refuses it. First writes the
+/// remaining rows; on failure to standard output only, since a file is written whole or not at all.
 void require_success(const Task& task, const CheckedSummary& summary, SeriesWriter& writer) {
   const auto fail = [&](const std::string& what, long instants) {
     std::string text = task.input.source + ": " + what;
@@ -127,7 +116,12 @@ void require_success(const Task& task, const CheckedSummary& summary, SeriesWrit
     say(note_on_gaps(summary, m, units) + note_on_flags(summary, m, units));
   if (!overflow.empty()) fail(overflow, summary.instants - 1);
   if (summary.refused) fail(refusal_text(summary, m, units), summary.instants);
-  if (!all) fail(failure_text(failure_of(summary), m, units), summary.instants);
+  if (!all) {
+    // Without a failure that ended the run, all instants are in gaps.
+    const CheckedSummary failure =
+        summary.ok() ? failure_of(summary.gaps.front(), summary) : summary;
+    fail(failure_text(failure, m, units), summary.instants);
+  }
 }
 
 /// Returns the notes on a motion; for a quiet run, those on gaps and flags.

@@ -42,7 +42,7 @@ async function page() {
   return read('page.html').replace('@STYLE@', () => read('page.css')).replace('@SCRIPT@', () => script) + '\n';
 }
 
-// Returns a text as a C++ string literal, in pieces of at most 12000 bytes, which compilers take.
+// Returns a text as C++ string literals of at most 12000 bytes, since compilers limit their length.
 function literal(text) {
   const bytes = Buffer.from(text, 'utf8');
   const pieces = [];

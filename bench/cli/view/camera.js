@@ -3,7 +3,7 @@
 import {dot, minus} from './data.js';
 
 const margin = 46;  // blank border about the mechanism [px]
-const distance = 4;  // distance of the eye from its middle, in sizes of the mechanism (data.size)
+const distance = 4;  // distance of the eye from the middle of the mechanism, in data.size
 const usual = 60;  // length of links [px] below which glyphs are smaller than usual
 // Changes of turn and height [rad] by key.
 const turns = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1]};
@@ -31,8 +31,9 @@ export class Camera {
     this.toward = [s * Math.cos(height), -c * Math.cos(height), up];
   }
 
-  // Returns a position as it is seen from the middle: how far right, how far above, and how much
-  // nearer to the eye. The three are lengths in the mechanism's unit.
+  // Returns where a position is seen: how far to the right of the middle, how far above it, and how
+  // much nearer to the eye. The three are lengths in the mechanism's unit. Perspective enlarges the
+  // first two near the eye.
   #seen(x) {
     const d = minus(x, this.middle), near = dot(d, this.toward);
     const grown = 1 / Math.max(1 - near / this.eye, 1e-3);

@@ -2,8 +2,8 @@
 // base64.
 import {add_transmission, interpret} from './mechanism.js';
 
-// Returns what there is to show: the JSON, with `values` of each column, the `times` [s] of the
-// instants, and the indices of instants before which others are missing (`holes`).
+// Returns what there is to show: the JSON with `values` of each column, the `times` [s] of the
+// instants on the page, and `holes`: the instants on the page before which others are missing.
 export function read() {
   const data = JSON.parse(document.getElementById('data').textContent);
   const bytes = Uint8Array.from(atob(data.numbers), c => c.charCodeAt(0));
@@ -34,8 +34,8 @@ export function read() {
   return data;
 }
 
-// Returns a function that writes a time [s]: with seven digits, or with as many as tell the grid's
-// instants apart. The grid may have one instant alone.
+// Returns a function that writes a time [s]: with seven digits or, where instants of the grid need
+// more to be told apart, with as many. Works for a grid of one instant, too.
 function seconds({start, interval, instants}) {
   const latest = Math.max(Math.abs(start), Math.abs(start + (instants - 1) * interval));
   const digits = Math.min(17, Math.max(7, Math.ceil(Math.log10(latest / interval)) + 2 || 7));

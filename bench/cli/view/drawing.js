@@ -64,9 +64,10 @@ function reach(data, origin, axis, slider) {
   return ways.reduce(([low, high], way) => [Math.min(low, way), Math.max(high, way)], [0, 0]);
 }
 
-// Returns a rail along the axis and a block that slides on it. A rail of the ground has sleepers; a
-// joint whose axis belongs to the first body alone has its rail there. Where both bodies move and
-// share the axis, returns a rod in a sleeve: neither body need have another point.
+// Returns a rail along the axis and a block that slides on it. Where the axis belongs to the first
+// body alone, that body has the rail; else the ground has it. A rail of the ground has sleepers.
+// Where both bodies move and share the axis, returns a rod in a sleeve instead, which shows bodies
+// that have no other point.
 function slider_marks(data, joint, grounded) {
   const [origin, last] = joint.points, [axis] = joint.vectors, [first_body, last_body] = joint.bodies;
   const [low, high] = reach(data, origin, axis, last);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bench/cli/solve/check_notes.h"
 #include "bench/cli/solve/failure_notes.h"
@@ -24,8 +25,7 @@ CheckedSummary MotionRecorder::run(Formulation& formulation) {
   options.checked = [this](const CheckedInstant& instant) { record(instant); };
   const CheckedSummary summary =
       run_checked(formulation, grid_, {Level::acceleration}, *this, options);
-  for (RecordedInstant& last : passed_) instants_.push_back(std::move(last));
-  passed_.clear();
+  if (passed_) instants_.push_back(*std::exchange(passed_, {}));
   if (instants_.empty()) {
     const std::vector<double> at_rest(model_.estimate.size());
     instants_.push_back(
@@ -68,14 +68,14 @@ std::vector<double> MotionRecorder::state_of(const Instant& instant) {
   return state;
 }
 
-/// Keeps every instant of the stride. Holds any other until the next one shows whether it is the
-/// last one before a gap, which is kept, too.
+/// Keeps an instant whose index is a multiple of the stride. Holds any other one until the next
+/// instant comes: if that comes after a gap, the one held is kept, too.
 void MotionRecorder::keep(RecordedInstant instant) {
-  if (!passed_.empty() && passed_.back().index + 1 < instant.index)  // the last one before a gap
-    instants_.push_back(std::move(passed_.back()));
-  passed_.clear();
+  if (passed_ && passed_->index + 1 < instant.index)  // the last one before a gap
+    instants_.push_back(*std::move(passed_));
+  passed_.reset();
   if (instant.index % stride_ != 0) {
-    passed_.push_back(std::move(instant));
+    passed_ = std::move(instant);
     return;
   }
   instants_.push_back(std::move(instant));
@@ -84,8 +84,9 @@ void MotionRecorder::keep(RecordedInstant instant) {
   if (instants_.size() > max_kept_) drop_every_second();
 }
 
-/// Doubles the stride. Drops all instants off it, except before gaps longer than the new stride. An
-/// instant dropped hands its condition number and radii to the next one kept.
+/// Doubles the stride. Drops all instants that are no multiples of it, except those before gaps
+/// longer than the new stride. A dropped instant hands its condition number and radii to the next
+/// one that is kept.
 void MotionRecorder::drop_every_second() {
   stride_ *= 2;
   std::vector<RecordedInstant> kept;
@@ -128,12 +129,8 @@ void MotionRecorder::flag(const RowFlag& f, int index) {
 
 void MotionRecorder::flag_failures(const CheckedSummary& summary) {
   for (const Gap& gap : summary.gaps) {
-    CheckedSummary failure;
-    static_cast<BasicSummary&>(failure) = gap.failure;
-    failure.assembly_error = gap.assembly_error;
-    failure.table_lock = gap.table_lock;
     Flag& flag = flags_.emplace_back(Flag::Kind::failed, gap.from, gap.to,
-                                     failure_text(failure, model_, units_));
+                                     failure_text(failure_of(gap, summary), model_, units_));
     const int constraint =
         gap.assembly_error ? gap.assembly_error->constraint : gap.failure.constraint;
     if (constraint >= 0) flag.open = model_.constraints[constraint].operands;

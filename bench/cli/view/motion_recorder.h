@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct RecordedInstant {
   int index;                  ///< index in the grid
   std::vector<double> state;  ///< q, q̇, q̈, each of all coordinates, then of the measures
   double condition;           ///< largest condition number since the instant kept before
-  PerLevel<double> radius;    ///< largest relative radius since then; NaN: none was proven
+  PerLevel<double> radius;    ///< largest relative radius since that instant; NaN: none was proven
 };
 
 /// An interval that is flagged, and why.
@@ -30,9 +31,9 @@ struct Flag {
   std::vector<EntityId> open{};  ///< entities of the constraint that does not close
 };
 
-/// An observer that keeps every n-th instant, and the last one before every gap and the end. When
-/// more than `max_kept`, at least 4, are kept, it doubles n and drops the others. Gaps shorter than
-/// n instants are then no longer shown.
+/// An observer that keeps every n-th instant, and the last one before every gap and before the end.
+/// n is 1 at first. When more than `max_kept`, at least 4, are kept, it doubles n and drops the
+/// instants between. Gaps shorter than n instants are then no longer shown.
 class MotionRecorder final : public Observer {
  public:
   /// max_kept: number of instants to keep, those before gaps and the end not counted. progress:
@@ -47,7 +48,8 @@ class MotionRecorder final : public Observer {
   Flow observe(const Instant& instant) noexcept override;
 
   const std::vector<RecordedInstant>& instants() const { return instants_; }
-  int stride() const { return stride_; }
+  int stride() const { return stride_; }  ///< n of the class comment
+  /// Returns the number of instants solved, without those on a change point.
   long solved() const { return solved_; }
   const std::vector<Flag>& flags() const { return flags_; }  ///< in order of their beginning
   bool overflowed() const { return overflowed_; }            ///< a number is not finite
@@ -64,7 +66,7 @@ class MotionRecorder final : public Observer {
 
   /// A flag whose interval grows if the next row has the same flag.
   struct Lasting {
-    int last_row;       // index in the grid of the last row that has it
+    int last_row;       // index in the grid of the last row that has the flag
     std::size_t place;  // index in flags_
     GroupId group;
   };
@@ -75,8 +77,8 @@ class MotionRecorder final : public Observer {
   const TimeGrid grid_;
   const std::size_t max_kept_;
   bench::Progress* progress_;
-  // passed_: the last instant recorded, if it is not among instants_; else empty.
-  std::vector<RecordedInstant> instants_, passed_;
+  std::vector<RecordedInstant> instants_;
+  std::optional<RecordedInstant> passed_;  // last instant recorded, unless it is in instants_
   std::vector<Flag> flags_;
   std::vector<Lasting> lasting_;
   int stride_ = 1;

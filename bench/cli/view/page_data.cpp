@@ -41,7 +41,7 @@ std::string base64(const std::vector<float>& numbers) {
   return text.append((4 - text.size() % 4) % 4, '=');
 }
 
-/// Writes the JSON, and packs a column whenever it names one.
+/// Writes the JSON. Appends the numbers of a column, once, when the JSON first refers to it.
 class Writer {
  public:
   Writer(const ShownMotion& motion, int every)
@@ -72,9 +72,10 @@ class Writer {
   }
 
  private:
-  /// Packs a column and returns its index in columns_. Numbers are stored relative to the finite
-  /// one nearest to 0, so that small motions far from the origin keep their digits. NaN and
-  /// infinite numbers stay. value: returns the number of an instant.
+  /// Packs a column: appends its numbers to numbers_ and its JSON to columns_. Returns its index
+  /// there. Numbers are stored relative to the finite one nearest to 0, so that small motions far
+  /// from the origin keep their digits. NaN and infinite numbers stay. value: returns the number of
+  /// an instant.
   template <class Value>
   int pack(Json column, const Value& value) {
     std::vector<double> values;
@@ -144,8 +145,8 @@ class Writer {
                                            {"own_vectors", form.own_vectors}};
   }
 
-  /// Returns where a point or vector is found: at each level, the index of its first column, after
-  /// which those of its other components follow; or its fixed components.
+  /// Returns where a point or vector is found: its fixed components or, at each level, the index of
+  /// its first column. The columns of its other components follow that one.
   Json geometry(EntityId entity) {
     const Entity& e = m_.entities[entity];
     Json result = {{"name", e.name}};

@@ -19,14 +19,16 @@ struct ShownMotion {
   std::string formulation;
 };
 
-/// Bytes that a number takes in a page: four, in base64.
+/// Characters that a number takes in a page: base64 writes three bytes as four characters, and a
+/// number has four bytes.
 inline constexpr double text_per_number = 16. / 3;
 
 /// Returns the data as page.html takes them: JSON, with the columns of numbers one after the other
-/// as base64 of floats of 32 bits. It has the first of every `every` recorded instants, and the
-/// last ones before gaps and the end. All numbers are in motion.units; columns are rounded to seven
-/// digits, relative to their value nearest to 0. The scene's request is plotted or, where it asks
-/// for everything, relative coordinates and points; in either case as many as fit.
+/// as base64 of floats of 32 bits. They hold the first of every `every` recorded instants, and the
+/// last ones before gaps and before the end. All numbers are in motion.units. A column stores each
+/// number's distance from the column's value nearest to 0, with seven digits. Columns of the
+/// scene's request are plotted; where it asks for everything, those of relative coordinates and
+/// points. In either case as many are plotted as fit.
 std::string page_data(const ShownMotion& motion, int every);
 
 }  // namespace desmo::cli

@@ -16,8 +16,8 @@ const shades = {
 const height = 120;
 const soft = 'rgba(128,128,128,0.25)';
 
-// Returns the rows of a table: x and the finite values of each column. Before a hole's end it has a
-// row of x alone, at which lines are interrupted.
+// Returns the rows of a table: for each instant, x and the finite values of all columns. Before an
+// instant of data.holes it has a row of x alone, at which lines are interrupted.
 function rows(data, columns, x) {
   const result = [];
   for (let k = 0; k < data.shown; ++k) {

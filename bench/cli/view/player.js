@@ -29,8 +29,8 @@ export class Player {
   // Lets a function be called with (instant, time) whenever the picture is to be drawn anew.
   onShow(show) { this.#shown.push(show); }
 
-  // Returns the last instant on the page that is at most half an interval of the page after a time;
-  // in a gap, the last one before it.
+  // Returns the last instant on the page that is at most half an interval after a time. An interval
+  // is the time between two instants on the page. In a gap, returns the last instant before it.
   at(time) {
     const {times} = this.#data;
     const half = this.#data.time.interval * this.#data.time.stride / 2;
@@ -83,8 +83,8 @@ export class Player {
     requestAnimationFrame(later => this.#frame(later));
   }
 
-  // Goes on by a number of instants on the page. From a time after its instant, as in a gap, the
-  // first step back leads to that instant.
+  // Goes on by a number of instants on the page. Where the time is after the instant shown, as in a
+  // gap, the first step back leads to that instant.
   #step(by) {
     this.toggle(false);
     const {times} = this.#data;

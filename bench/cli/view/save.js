@@ -12,10 +12,9 @@ const cell = text => /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : t
 
 // Returns the CSV of all instants of the page: the time with 15 digits, and every column with 8.
 function csv(data) {
-  const columns = data.columns.filter(({name}) => name);
   const digits = (x, count) => Number.isFinite(x) ? String(Number(x.toPrecision(count))) : '';
-  const rows = data.times.map((t, i) => [digits(t, 15), ...columns.map(c => digits(c.values[i], 8))].join());
-  return [['t [s]', ...columns.map(c => c.heading)].map(cell).join(), ...rows].join('\n') + '\n';
+  const rows = data.times.map((t, i) => [digits(t, 15), ...data.columns.map(c => digits(c.values[i], 8))].join());
+  return [['t [s]', ...data.columns.map(c => c.heading)].map(cell).join(), ...rows].join('\n') + '\n';
 }
 
 export function connectSaving(data, picture) {

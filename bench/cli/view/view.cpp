@@ -22,8 +22,9 @@ namespace {
 
 constexpr std::size_t max_page = 2'000'000;  // largest size of a page [bytes] (≤)
 constexpr std::size_t max_instants = 8192;   // largest number of instants kept in memory (≤)
-constexpr std::size_t min_instants = 16;  // smallest number of instants, or all; fewer show little
-constexpr double text_per_column = 180;   // bytes of a column in a page, its numbers excepted
+/// Smallest number of instants on a page, unless the scene has fewer: fewer show little.
+constexpr std::size_t min_instants = 16;
+constexpr double text_per_column = 180;  // bytes of a column in a page, its numbers excepted
 
 struct ViewOptions {
   std::string scene, output;
@@ -51,8 +52,8 @@ std::string fill(const std::string& data) {
                    std::to_string(model.coordinates()) + " coordinates; view a smaller one");
 }
 
-/// Returns the number of instants of a mechanism for which a page has room, by an estimate. Throws
-/// InputError when they are fewer than min_instants and than the scene has.
+/// Returns an estimate of the number of instants for which a page has room. Throws InputError when
+/// that is less than min_instants and less than the scene has.
 std::size_t instants_that_fit(const Input& input, const Model& model) {
   const auto columns = static_cast<double>(drawn_numbers(input.scene.mechanism));
   const double bytes = static_cast<double>(max_page - page_template.size()) / columns;

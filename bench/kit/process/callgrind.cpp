@@ -33,7 +33,7 @@ std::int64_t count_steps(const std::string& of, std::vector<std::string> command
   command.insert(command.begin(), {"--tool=callgrind", "--callgrind-out-file=/dev/null",
                                    "--log-fd=1", "--toggle-collect=desmo_counted_steps"});
   Launch launch = valgrind(std::move(command));
-  launch.environment.push_back("OPENBLAS_CORETYPE=Haswell");  // callgrind knows its instructions
+  launch.environment.push_back("OPENBLAS_CORETYPE=Haswell");  // callgrind can run this code
   std::string log;
   const int code = Child(launch).finish(log);
   const std::int64_t instructions = collected(log);

@@ -55,12 +55,6 @@ int copy_of(const char* path) {
   _exit(127);
 }
 
-int wait_for(pid_t process) {
-  int status = 0;
-  load::wait_for_end(process, status);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 }  // namespace
 
 Launch fixed_launch(std::vector<std::string> arguments) {
@@ -97,7 +91,8 @@ Child::Child(const Launch& launch) : program_(launch.arguments[0]) {
 Child::~Child() {
   if (in_) std::fclose(in_);
   if (out_) std::fclose(out_);
-  if (process_ > 0) wait_for(process_);
+  int unused = 0;
+  if (process_ > 0) load::wait_for_end(process_, unused);
 }
 
 void Child::say(std::string_view line) {
@@ -124,7 +119,10 @@ int Child::finish(std::string& output) {
   std::array<char, 4096> buffer;
   for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), out_)) > 0;)
     output.append(buffer.data(), n);
-  return wait_for(std::exchange(process_, -1));
+  int status = 0;
+  if (!load::wait_for_end(std::exchange(process_, -1), status))
+    throw std::runtime_error("lost the process of " + program_ + ": " + std::strerror(errno));
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 std::vector<int> usable_cores() {

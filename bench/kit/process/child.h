@@ -15,14 +15,14 @@ struct Launch {
   std::vector<std::string> environment;  ///< whole environment, NAME=value
   int core = -1;                         ///< the only core to run on; -1: any
   /// Runs a copy of the program that is made for this run alone, and so lies on pages of memory of
-  /// its own. The pages that a file gets by chance decide what shares cache lines in its loops.
-  /// They change times by 3 % and more for as long as the file is in memory.
+  /// its own. A file gets its pages by chance, and keeps them as long as it is in memory. They
+  /// decide which parts of its loops compete for cache lines: times differ by 3 % and more.
   bool fresh_copy = false;
 };
 
-/// A running program that is asked and answers by lines. Constructor, say() and read_answer() throw
-/// std::runtime_error when it is not started or has ended; one that cannot be executed ends with
-/// 127.
+/// A running program that answers questions line by line. Constructor, say() and read_answer()
+/// throw std::runtime_error when the program cannot be started or has ended. A program that cannot
+/// be executed ends with exit code 127.
 class Child {
  public:
   explicit Child(const Launch& launch);
@@ -30,11 +30,12 @@ class Child {
   Child& operator=(const Child&) = delete;
   ~Child();  ///< closes its input and waits for its end
 
-  void say(std::string_view line);
-  std::string read_answer();  ///< the next line, without its end
+  void say(std::string_view line);  ///< sends a line, given without its end
+  std::string read_answer();        ///< the next line, without its end
 
   /// Closes its input and waits for its end. Returns its exit code, or 128 + the signal that ended
-  /// it. output: receives everything that was not yet read.
+  /// it. output: receives everything that was not yet read. Throws std::runtime_error where the
+  /// exit code cannot be had, as when this process ignores SIGCHLD.
   int finish(std::string& output);
 
  private:
@@ -44,8 +45,8 @@ class Child {
 };
 
 /// Returns the launch of a program in a fixed environment: PATH, one thread of BLAS, every symbol
-/// resolved at the start, locale C. LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where libraries
-/// are, are kept.
+/// resolved at the start, locale C. Keeps LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where
+/// libraries are.
 Launch fixed_launch(std::vector<std::string> arguments);
 
 /// Returns the cores that this process may use.

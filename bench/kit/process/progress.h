@@ -7,13 +7,15 @@
 
 namespace desmo::bench {
 
-/// A progress line on standard error, with the expected remaining time: rewritten on a terminal;
-/// elsewhere a new one when both ten seconds and a tenth of the work have passed. The destructor
-/// writes a last one, with the time that all took. Any thread may call add_done().
+/// A progress line on standard error, with the expected remaining time. On a terminal it is
+/// rewritten. Elsewhere a new line is written when both ten seconds and a tenth of the work have
+/// passed. The destructor writes a last line, with the time that all took. Any thread may call
+/// add_done().
 class Progress {
  public:
-  /// what: name of the work for people, "rounds of 12 candidates". work: all there is to do, in any
-  /// unit. only_on_terminal: writes nothing elsewhere, and no last line.
+  /// - what: name of the work for people, "rounds of 12 candidates"
+  /// - work: all there is to do, in any unit
+  /// - only_on_terminal: writes nothing elsewhere, and no last line
   Progress(std::string what, double work, bool only_on_terminal = false);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

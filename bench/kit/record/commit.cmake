@@ -1,5 +1,5 @@
-# Writes HEADER with the commit of SOURCE and whether it has uncommitted changes; leaves it alone
-# when nothing changed, so that nothing is rebuilt.
+# Writes a file HEADER with the commit of the tree SOURCE, and whether the tree has uncommitted
+# changes. Leaves the file alone when its text is the same, so that nothing is rebuilt.
 set(commit "unknown")
 set(dirty "false")
 find_package(Git QUIET)

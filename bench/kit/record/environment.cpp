@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "bench/kit/formulation_candidate.h"
 #include "bench/kit/record/record.h"
 #include "commit.h"
 #include "formulations/algebra/blas.h"
@@ -43,8 +42,8 @@ std::string first_line(const char* path) {
   return std::getline(file, line) && !line.empty() ? line : "unknown";
 }
 
-/// Returns "on", "off" or "unknown", by the frequency driver of Intel's processors or that of
-/// others.
+/// Returns whether turbo is "on" or "off", as the driver intel_pstate says it or a driver for other
+/// processors; "unknown" where none says it.
 std::string turbo() {
   const std::string off = first_line("/sys/devices/system/cpu/intel_pstate/no_turbo");
   const std::string on = first_line("/sys/devices/system/cpu/cpufreq/boost");
@@ -64,7 +63,7 @@ std::vector<std::string> caches(const benchmark::CPUInfo& info) {
     add(c.level, c.type, c.size, ", shared by " + std::to_string(c.num_sharing));
   if (!found.empty()) return found;
   // Some virtual machines list none. The C library asks the processor instead. Its size of the
-  // third level is left out: that is what all cores of a processor have together.
+  // third level is left out: all cores of a processor share that cache.
   add(1, "Data", sysconf(_SC_LEVEL1_DCACHE_SIZE), {});
   add(1, "Instruction", sysconf(_SC_LEVEL1_ICACHE_SIZE), {});
   add(2, "Unified", sysconf(_SC_LEVEL2_CACHE_SIZE), {});
@@ -137,8 +136,8 @@ Json environment_json(const Run& run, const TimeGrid& grid) {
           {"settings", settings_json(grid)}};
 }
 
-// A virtual machine may have one name for different processors; family, model and stepping tell
-// them apart.
+// Virtual machines may give different processors one name; family, model and stepping tell them
+// apart.
 std::string processor_name() {
   auto p = processor();
   const std::string name = p.contains("model name") ? p["model name"] : "unknown";

@@ -25,6 +25,26 @@ Json head(const Json& environment) {
   return {{"schema", "desmo-results"}, {"schema_version", schema_version}, {"record", environment}};
 }
 
+/// Returns the text of a record: its head indented, and each element of a list on a line of its
+/// own. So a person can read the head and skip the elements.
+///
+/// section: name of the only section. lists: an object of arrays; empty ones are left out.
+std::string record_text(const Json& environment, const std::string& section, const Json& lists) {
+  std::string text = head(environment).dump(1);
+  text.erase(text.rfind('\n'));  // the last line, a brace
+  text += ",\n " + Json(section).dump() + ": {";
+  const char* separator = "\n  ";
+  for (const auto& [name, list] : lists.items()) {
+    if (list.empty()) continue;
+    text += separator + Json(name).dump() + ": [";
+    for (std::size_t i = 0; i < list.size(); ++i)
+      text += (i == 0 ? "\n   " : ",\n   ") + list[i].dump();
+    text += "\n  ]";
+    separator = ",\n  ";
+  }
+  return text + "\n }\n}\n";
+}
+
 Json rounded_list(const std::vector<double>& seconds) {
   Json list = Json::array();
   for (const double s : seconds) list.push_back(rounded(s, 5));
@@ -43,33 +63,12 @@ void RecordWriter::write(const TimeGrid& grid, const Json& lists, std::optional<
   run_.load_after = load_averages();
   Json environment = environment_json(run_, grid);
   if (windows) environment["settings"]["windows"] = *windows;
-  Json section = Json::object();
-  for (const auto& [name, list] : lists.items())
-    if (!list.empty()) section[name] = list;
-  file_.write(record_layout(head(environment), {{experiment_, section}}));
+  file_.write(record_text(environment, experiment_, lists));
   file_.finish();
 }
 
 Json record_head(const std::string& command, const TimeGrid& grid) {
   return head(environment_json({utc_now(), command, load_averages(), {}}, grid));
-}
-
-std::string record_layout(const Json& head, const Json& sections) {
-  std::string text = head.dump(1);
-  text.erase(text.rfind('\n'));  // with the brace after it
-  for (const auto& [name, lists] : sections.items()) {
-    text += ",\n " + Json(name).dump() + ": {";
-    const char* separator = "\n  ";
-    for (const auto& [list_name, list] : lists.items()) {
-      text += separator + Json(list_name).dump() + ": [";
-      for (std::size_t i = 0; i < list.size(); ++i)
-        text += (i == 0 ? "\n   " : ",\n   ") + list[i].dump();
-      text += "\n  ]";
-      separator = ",\n  ";
-    }
-    text += "\n }";
-  }
-  return text + "\n}\n";
 }
 
 Json per_level_json(const PerLevel<double>& values) {
@@ -95,7 +94,7 @@ Json rounded_time_json(const std::vector<double>& seconds) {
 
 Json windows_json(const TimingWindows& windows) {
   const std::vector<long>& updates = windows.updates();
-  if (std::ranges::count(updates, 0) == std::ssize(updates))  // nobody counts
+  if (std::ranges::all_of(updates, [](long n) { return n == 0; }))  // uncounted
     return {{"least", rounded_list(windows.least())}};
   Json samples = Json::array();
   for (const std::vector<double>& sample : windows.samples())

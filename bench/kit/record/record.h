@@ -43,14 +43,6 @@ class RecordWriter {
 /// load.
 nlohmann::ordered_json record_head(const std::string& command, const TimeGrid& grid);
 
-/// Returns the text of a record: its head indented, and an element of a list on each line, as a
-/// person may want to read the one and not the other.
-///
-/// head: an object with something in it.
-/// sections: an object of objects of arrays.
-std::string record_layout(const nlohmann::ordered_json& head,
-                          const nlohmann::ordered_json& sections);
-
 /// Returns an object with the value of each level by the level's name.
 nlohmann::ordered_json per_level_json(const PerLevel<double>& values);
 
@@ -61,16 +53,16 @@ nlohmann::ordered_json errors_json(const Differences& errors, Level level = Leve
 /// Returns samples of a time [s] with the name of the clock that measured them.
 nlohmann::ordered_json time_json(const std::vector<double>& seconds, Clock clock = Clock::cpu);
 
-/// Returns samples of CPU time [s], rounded to five digits: they are many, and no machine repeats
-/// more digits.
+/// Returns samples of CPU time [s], rounded to five digits: samples are many, and no machine
+/// repeats more digits.
 nlohmann::ordered_json rounded_time_json(const std::vector<double>& seconds);
 
 /// Returns the times of all windows in every analysis [s], and the updates in each window; where no
 /// updates were counted, the least time of each window alone.
 nlohmann::ordered_json windows_json(const TimingWindows& windows);
 
-/// Returns a value rounded to significant digits; 1e100 for NaN and all larger values, since JSON
-/// has no infinite numbers.
+/// Returns a value, not −∞, rounded to `digits` significant digits. Returns 1e100 for NaN and all
+/// values above 1e100, since JSON has no infinite numbers.
 double rounded(double value, int digits);
 
 /// Returns the name of a clock in a record: "cpu" or "wall".

@@ -9,11 +9,11 @@
 namespace desmo::bench {
 
 /// Verifies every formulation, then times them in turn, so that whatever slows the machine down for
-/// a while meets them all. Names on standard error those that could not be timed, and returns
-/// whether there are none.
+/// a while meets them all. Names on standard error those that could not be timed. Returns whether
+/// all were timed.
 ///
-/// - repetitions: samples of each, by a new formulation on a fresh heap; at most two where a motion
-///   takes longer than a second
+/// - repetitions: samples of each candidate, by a new formulation on a fresh heap; at most two
+///   where a motion takes longer than a second
 /// - list: first part of the names on standard error: "growth"
 bool time_in_turn(std::list<FormulationCandidate>& candidates, int repetitions,
                   std::string_view list);

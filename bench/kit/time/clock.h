@@ -18,8 +18,8 @@ enum class Clock {
   wall,  ///< for work that several threads share
 };
 
-/// Least time [s] for which runs are repeated by the wall clock. After it all threads are awake,
-/// and have had a processor at the same time.
+/// Least time [s] for which runs are repeated where the wall clock measures. After this time all
+/// threads are awake, and have run at the same time.
 inline constexpr double min_wall_seconds = 0.03;
 
 /// Returns the reading of a clock [s].

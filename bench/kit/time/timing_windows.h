@@ -13,26 +13,28 @@ namespace desmo::bench {
 /// the clock costs little compared with solving, very short motions excepted.
 inline constexpr int max_windows = 25, min_instants = 20;
 
-/// Time and work of each window of a motion, analysis by analysis. The time of reading the clock is
-/// left out; assembly belongs to the first window. Other work of the machine slows some windows of
-/// some analyses; the least time of each window over all analyses is the undisturbed one.
+/// Time and updates (Summary::updates) of each window of a motion, analysis by analysis. The time
+/// of reading the clock is left out; assembly belongs to the first window. Other work of the
+/// machine slows some windows of some analyses. The least time of each window over all analyses is
+/// the undisturbed one.
 class TimingWindows {
  public:
   explicit TimingWindows(int instants, Clock clock = Clock::cpu);
 
   /// Begins an analysis. Drops the windows of an earlier one that did not finish.
   void begin();
-  /// Tells that all instants so far are void: their time becomes part of the first window.
+  /// Tells that all instants of the analysis so far are void. Their time becomes part of the first
+  /// window.
   void restart();
   /// Tells that an instant was delivered. Every instant of the motion comes once, in any order.
-  /// updates: its work (Summary::updates). By the wall clock work is not counted: several threads
-  /// deliver in another order every time, so that it is not that of a window.
+  /// updates: those of the instant. By the wall clock they are not counted: several threads deliver
+  /// in another order every time, so that a window has no updates of its own.
   void count_instant(long updates = 0) {
     if (clock_ == Clock::cpu) sum_ += updates;
     if (counted_++ == last_instants_[next_]) end();
   }
 
-  std::size_t count() const { return last_instants_.size() - 1; }
+  std::size_t count() const { return last_instants_.size() - 1; }  ///< number of windows
   /// Returns the seconds of each window, for every whole analysis.
   const std::vector<std::vector<double>>& samples() const { return samples_; }
   /// Returns the least seconds of each window; infinite before the first whole analysis.
