@@ -139,8 +139,9 @@ TEST(Radii, ArePrintedRoundedUp) {
   CheckedSummary s;
   for (const double bound : {1.0488e-14, 1e-14, 9.96e-9, 3.0000001e-16, 0.0, 2.5e-310})
     for (const Level level : all_levels) {
+      s.level = level;
       s.radius = {bound, 1.04 * bound, 2 * bound};
-      const std::vector<double> printed = numbers_in(describe_radius(s, level));
+      const std::vector<double> printed = numbers_in(describe_radius(s));
       ASSERT_EQ(printed.size(), 2u + static_cast<std::size_t>(level));  // condition first
       for (const Level l : all_levels) {
         if (l > level) break;

@@ -77,12 +77,12 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
          ": it passes a singular position, where branches meet, and goes on smoothly";
 }
 
-std::string note_on_proofs(const CheckedSummary& s, const CheckOptions& check, Level level,
-                           const Model& m, const DisplayUnits& units) {
+std::string note_on_proofs(const CheckedSummary& s, const CheckOptions& check, const Model& m,
+                           const DisplayUnits& units) {
   if (check.mode == CheckMode::none) return "note: nothing is proven (--check none)\n";
   std::string scales;
   for (const Level l : all_levels) {
-    if (l > level) break;
+    if (l > s.level) break;
     scales += (scales.empty() ? "relative to " : ", ") +
               quantity(s.scales.length[l], unit_of(units, EntityKind::point, l), "%.3g") + " or " +
               quantity(s.scales.rotation[l], unit_of(units, EntityKind::angle, l), "%.3g");
@@ -92,7 +92,7 @@ std::string note_on_proofs(const CheckedSummary& s, const CheckOptions& check, L
                                  : "rows on a proven branch, one in " +
                                        std::to_string(check.sample) + " to the last digit";
   return formatted("accuracy: %ld of %ld ", s.instants - s.flagged, s.instants) + proven + "; " +
-         describe_radius(s, level) + "; " + scales + '\n' + note_on_flags(s, m, units);
+         describe_radius(s) + "; " + scales + '\n' + note_on_flags(s, m, units);
 }
 
 std::string note_on_flags(const CheckedSummary& s, const Model& m, const DisplayUnits& units) {

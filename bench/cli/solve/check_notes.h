@@ -11,7 +11,7 @@ namespace desmo::cli {
 /// Returns the accuracy of the results: a line on how many rows are proven, the condition number
 /// and the largest radii, and the lines of note_on_flags(). check: what was to be proven; with
 /// CheckMode::none, returns a line that says that nothing is.
-std::string note_on_proofs(const CheckedSummary& summary, const CheckOptions& check, Level level,
+std::string note_on_proofs(const CheckedSummary& summary, const CheckOptions& check,
                            const Model& model, const DisplayUnits& units);
 
 /// Returns a line each on flagged rows, on the first change point unless the first flag is of it,

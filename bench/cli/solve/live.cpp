@@ -87,6 +87,7 @@ void solve_rows(const Task& task, Formulation& formulation) {
   DriverRows rows(o.drivers, task.whole, plan.model, plan.level(), units);
   task.output.write(first_line(task.heading));
   CheckedSummary total;
+  total.level = plan.level();
   long failed = 0;
   std::string text;
   for (LiveRow row{}; rows.next(row);) {
@@ -112,7 +113,7 @@ void solve_rows(const Task& task, Formulation& formulation) {
   std::string note;
   if (total.instants > 0)
     note = o.quiet ? note_on_flags(total, plan.model, units)
-                   : note_on_proofs(total, o.check, plan.level(), plan.model, units);
+                   : note_on_proofs(total, o.check, plan.model, units);
   if (failed > 0) note += "accuracy: not solved: " + count(failed, "row") + "\n";
   std::fputs(note.c_str(), stderr);
   task.output.finish();

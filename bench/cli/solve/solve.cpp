@@ -134,7 +134,7 @@ std::string notes_on(const Task& task, const Formulation& formulation,
   return note_on_tolerance(formulation, task.chosen.settings.tolerance) +
          note_on_refusals(formulation, task.named) + note_on_steps(formulation) + gaps +
          note_on_unseen(task.plan, task.whole) +
-         note_on_proofs(summary, task.options.check, task.plan.level(), m, units);
+         note_on_proofs(summary, task.options.check, m, units);
 }
 
 void solve_motion(const Task& task, Formulation& formulation) {

@@ -123,7 +123,7 @@ class Writer {
     json_["scene"] = scene_.name;
     json_["formulation"] = motion_.formulation;
     json_["coordinates"] = m_.coordinates();
-    json_["accuracy"] = describe_radius(s, Level::acceleration);
+    json_["accuracy"] = describe_radius(s);
     for (const Level level : all_levels) {
       json_["levels"].push_back(level_names[level]);
       json_["units"].push_back(unit_of(motion_.units, EntityKind::point, level).name);

@@ -110,9 +110,8 @@ void view(const ViewOptions& options) {
                                        (recording.solved() > 0
                                             ? "\ndesmo: the page shows the last position before it"
                                             : "\ndesmo: the page shows the initial estimate"));
-  const std::string note =
-      options.quiet ? note_on_flags(summary, model, input.units)
-                    : note_on_proofs(summary, {}, Level::acceleration, model, input.units);
+  const std::string note = options.quiet ? note_on_flags(summary, model, input.units)
+                                         : note_on_proofs(summary, {}, model, input.units);
   std::fputs(note.c_str(), stderr);
 }
 

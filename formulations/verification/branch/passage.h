@@ -14,7 +14,7 @@ class StraightPath;
 struct PassedPoint {
   double time;           ///< of the point [s], about
   double after, before;  ///< times of the proven instants next to it [s], after ≤ time < before;
-                         ///< before is infinite if the motion rests on the point for good
+                         ///< before is infinite if the motion stays on it or next to it
   /// The first proven instant beyond, with all rates. Empty where `before` is infinite.
   InstantCopy first{};
 

@@ -168,8 +168,8 @@ std::optional<Turns> turns_that_lead_back(const Model& m, double time, const Fou
   return all;
 }
 
-/// Returns whether a path has too few tests for a driver's turns: way > max_tests / 6 turns. A step
-/// is hardly longer than a radian, a sixth of a turn.
+/// Returns whether a path may have too few tests for a driver's turns: way > max_tests / 6 turns.
+/// In loops, a step is hardly longer than a radian, a sixth of a turn.
 bool has_too_many_turns(const Model& m, double time) {
   constexpr double max_turns = BranchPath::max_tests / 6.;
   return std::ranges::any_of(turns_to(m, time), [](double x) { return std::abs(x) > max_turns; });

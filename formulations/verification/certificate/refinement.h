@@ -36,8 +36,8 @@ class Refinement {
   explicit Refinement(const Model& model, std::span<const Level> levels = {});
   explicit Refinement(const Model&& model, std::span<const Level> levels = {}) = delete;
 
-  /// Refines an instant of all coordinates, up to the levels that it has. The result is valid until
-  /// the next call. Allocates nothing.
+  /// Refines all coordinates of an instant, up to the levels that it has. The result is valid until
+  /// the next call; an unproven one views the instant's numbers. Allocates nothing.
   const RefinedInstant& refine(const Instant& instant);
 
   const Certifier& certifier() const { return certifier_; }

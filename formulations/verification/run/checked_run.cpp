@@ -33,6 +33,7 @@ class CheckedRun final : Observer {
         memory_(options.mode == CheckMode::sample ? options.sample - 1 : 0,
                 InstantCopy(formulation.model().coordinates())) {
     waiting_.reserve(memory_.size());
+    summary_.level = request.level;
   }
 
   CheckedSummary operator()() {

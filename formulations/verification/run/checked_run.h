@@ -40,7 +40,7 @@ struct RowFlag {
   Kind kind = Kind::unproven;
   double time = 0;  ///< of the row [s]
   /// Ends of the interval in which the cause lies [s]. For a misfit both are the time at which it
-  /// was found. `before` is infinite where the motion rests on a change point for good.
+  /// was found. `before` is infinite where the motion stays on or next to a change point.
   double after = 0, before = 0;
   GroupId group = no_position;  ///< of the failed proof, change point or misfit, if known
   bool out_of_tests = false;    ///< branch: the budget of tests ended before the interval did
@@ -102,10 +102,11 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
   std::optional<RowFlag> first_flag{};
   long crossings = 0;  ///< number of change points in flags of rows
   std::optional<RowFlag> first_crossing{};
-  std::optional<Misfit> misfit{};  ///< the largest of the rows (Misfit::relative)
-  PerLevel<double> radius{};       ///< largest of proven rows, over `scales`
-  Scales scales{};                 ///< of the motion
-  double condition = 0;            ///< largest of the rows
+  std::optional<Misfit> misfit{};     ///< the largest of the rows (Misfit::relative)
+  Level level = Level::acceleration;  ///< up to which rows are solved
+  PerLevel<double> radius{};          ///< largest of proven rows, over `scales`; 0 above `level`
+  Scales scales{};                    ///< of the motion
+  double condition = 0;               ///< largest of the rows
   /// Status::not_converged: error of the group that cannot be assembled (find_assembly_error()).
   std::optional<Misfit> assembly_error{};
   /// Status::not_finite: position in which a table driven beyond its extremum locks the motion.
@@ -159,8 +160,8 @@ CheckedSummary run_checked(Formulation& formulation, const TimeGrid& grid, const
 /// before. Otherwise: what was flagged first, and the largest radii.
 std::string describe(const CheckedSummary& summary, const Model& model);
 
-/// Returns the largest radii in words, up to a level, rounded up: "condition 4.1e+02, errors at
-/// most 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration".
-std::string describe_radius(const CheckedSummary& summary, Level level);
+/// Returns the largest radii in words, up to CheckedSummary::level, rounded up: "condition 4.1e+02,
+/// errors at most 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration".
+std::string describe_radius(const CheckedSummary& summary);
 
 }  // namespace desmo

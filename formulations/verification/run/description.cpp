@@ -53,7 +53,7 @@ std::string describe(const CheckedSummary& s, const Model& m) {
                               : s.outcome() == Outcome::degraded ? "degraded: "
                                                                  : "converged: ";
   return outcome + flags + (flags.empty() ? "" : "; ") + std::to_string(s.instants) +
-         " instants in all, " + describe_radius(s, Level::acceleration);
+         " instants in all, " + describe_radius(s);
 }
 
 std::string describe(const LiveSummary& s, const Model& m) {
@@ -73,11 +73,11 @@ std::string describe(const LiveSummary& s, const Model& m) {
   return {};
 }
 
-std::string describe_radius(const CheckedSummary& s, Level level) {
+std::string describe_radius(const CheckedSummary& s) {
   std::string text = "condition " + formatted("%.1e", s.condition) + ", errors at most " +
                      rounded_up(s.radius.position);
-  if (level >= Level::velocity) text += ", " + rounded_up(s.radius.velocity) + " in velocity";
-  if (level >= Level::acceleration)
+  if (s.level >= Level::velocity) text += ", " + rounded_up(s.radius.velocity) + " in velocity";
+  if (s.level >= Level::acceleration)
     text += ", " + rounded_up(s.radius.acceleration) + " in acceleration";
   return text;
 }

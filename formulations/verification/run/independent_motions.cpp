@@ -85,7 +85,7 @@ struct IndependentMotions::SubmodelMotion {
   Submodel submodel;
   CheckedMotion motion;
   InstantCopy handed_in;
-  /// Flag of the first change point since the last delivered row, now and before the last take().
+  /// First flag of a change point since the last delivered row, now and before the last take().
   std::optional<RowFlag> passed, last_passed;
   /// No path leads on from the last row: try_again() begins at the drawing for each row, until
   /// begin_again().
