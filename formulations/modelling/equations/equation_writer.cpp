@@ -26,7 +26,7 @@ double max_coordinate(const Points& points, Position position = {}) {
 template <int D>
 Model write_all(EquationWriter& w) {
   write_body_equations<D>(w);
-  if (w.framed) write_cut_joints<D>(w);
+  if (w.framed) write_cut_joints(w);
   write_joint_equations(w);
   write_coordinate_equations<D>(w);
   write_coupling_equations(w);
