@@ -7,7 +7,7 @@
 
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/equations/pattern.h"
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 
 namespace desmo {
 
@@ -60,7 +60,7 @@ class Condensed final : public LinearSolver {
     int first, end;          // range of its terms
   };
   struct Term {
-    int column, from, to;  // column of A, position among its values and in work_
+    int column, from;  // column of A, position among its values
   };
 
   Pattern reduced_;
@@ -72,7 +72,7 @@ class Condensed final : public LinearSolver {
   std::vector<DerivedTerm> derived_terms_;  // C_y, with what elimination adds to it
   std::vector<int> closure_row_, column_;   // row, column of A for each one of A_r
   int cleared_ = 0;  // number of values in work_ that are sums: A_r, then C_y
-  // A_r; C_y; then entries of D_x and D_y except pivots, divided by −pivot of their row
+  // A_r; C_y; then the terms, each divided by −pivot of its row
   std::vector<double> work_;
   std::vector<double> scale_;  // −1/pivot of each derivation
   std::vector<double> x_, y_;  // right-hand side, then solution

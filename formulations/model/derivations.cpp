@@ -1,9 +1,11 @@
-#include "formulations/model/derivations.h"
+// Derivations of a model and of its parts: declared in model.h and partition.h.
 
 #include <cmath>
+#include <utility>
 
 #include "formulations/base/index_range.h"
 #include "formulations/model/incidence.h"
+#include "formulations/model/partition.h"
 
 namespace desmo {
 
@@ -22,53 +24,44 @@ bool is_explicit(const Constraint& c, int size) {
   return result && entries == rows(c) && entries == size;
 }
 
-/// The graph of derivations: the constraint that derives each entity, and its inputs.
-class DerivationGraph {
- public:
-  explicit DerivationGraph(const Model& m) : m_(m), by_(m.entities.size(), no_position) {}
-
-  int deriving(EntityId e) const { return by_[e]; }
-  void add(int constraint) { by_[derived_entity(m_.constraints[constraint])] = constraint; }
-
-  /// Returns whether a derivation would derive its entity from itself.
-  bool is_circle(int constraint) const {
-    const EntityId entity = derived_entity(m_.constraints[constraint]);
-    std::vector<int> waiting{constraint};
-    std::vector<bool> seen(m_.entities.size(), false);
-    while (!waiting.empty()) {
-      const Constraint& c = m_.constraints[waiting.back()];
-      waiting.pop_back();
-      for (int k = 0; k < static_cast<int>(c.operands.size()); ++k) {
-        const EntityId e = c.operands[k];
-        if (k == c.derives || seen[e]) continue;
-        if (e == entity) return true;
-        seen[e] = true;
-        if (by_[e] >= 0) waiting.push_back(by_[e]);
-      }
-    }
-    return false;
+/// Returns for each entity whether it is among `ends`, or one of these is derived from it.
+/// deriving: by entity, the constraint that derives it; no_position: none
+std::vector<bool> ends_and_sources(const Model& m, const std::vector<int>& deriving,
+                                   std::vector<EntityId> ends) {
+  std::vector<bool> found(m.entities.size(), false);
+  while (!ends.empty()) {
+    const EntityId e = ends.back();
+    ends.pop_back();
+    if (found[e]) continue;
+    found[e] = true;
+    if (deriving[e] < 0) continue;
+    const std::vector<EntityId>& operands = m.constraints[deriving[e]].operands;
+    ends.insert(ends.end(), operands.begin(), operands.end());
   }
-
- private:
-  const Model& m_;
-  std::vector<int> by_;  // constraint that derives each entity; no_position: none
-};
+  return found;
+}
 
 }  // namespace
 
 void keep_derivations(Model& m) {
   const std::vector<bool> independent = independent_coordinates(m);
-  DerivationGraph graph(m);
+  std::vector<int> deriving(m.entities.size(), no_position);
+  const auto can_derive = [&](const Constraint& c, EntityId id) {
+    const Entity& e = m.entities[id];
+    if (c.left_out || e.fixed || e.group != c.group || independent[e.first] || deriving[id] >= 0 ||
+        !is_explicit(c, e.size))
+      return false;
+    std::vector<EntityId> others = c.operands;
+    std::erase(others, id);
+    return !ends_and_sources(m, deriving, others)[id];
+  };
   for (int i = 0; i < static_cast<int>(m.constraints.size()); ++i) {
     Constraint& c = m.constraints[i];
     if (c.derives < 0) continue;
-    const EntityId id = derived_entity(c);
-    const Entity& e = m.entities[id];
-    if (c.left_out || e.fixed || e.group != c.group || independent[e.first] ||
-        graph.deriving(id) >= 0 || !is_explicit(c, e.size) || graph.is_circle(i))
-      c.derives = no_position;
+    if (const EntityId id = derived_entity(c); can_derive(c, id))
+      deriving[id] = i;
     else
-      graph.add(i);
+      c.derives = no_position;
   }
 }
 
@@ -76,59 +69,47 @@ std::vector<Derivation> derivations(const Model& m, const PartDefinition& part) 
   // Each equation counts by itself: Partition::block may put equations of one constraint into
   // several parts.
   std::vector<std::vector<Derivation>> of_entity(m.entities.size());
-  std::vector<int> by(m.entities.size(), no_position);
-  std::vector<EntityId> order;
+  const auto constraint_of = [&](const Equation& e) -> const Constraint& {
+    return m.constraints[e.constraint];
+  };
   for (std::size_t row = 0; row < part.equations.size(); ++row) {
-    const auto [constraint, component] = part.equations[row];
-    const EntityId e = derived_entity(m.constraints[constraint]);
+    const EntityId e = derived_entity(constraint_of(part.equations[row]));
     if (e < 0) continue;
-    const int column = position_in(part.unknowns, m.entities[e].first + component);
-    if (column < 0) continue;
-    of_entity[e].push_back({static_cast<int>(row), column});
-    if (by[e] < 0) order.push_back(e);
-    by[e] = constraint;
+    const int column = position_in(part.unknowns, m.entities[e].first + part.equations[row].row);
+    if (column >= 0) of_entity[e].push_back({static_cast<int>(row), column});
   }
   std::vector<Derivation> result;
-  std::vector<bool> done(m.entities.size(), false);
   const auto append = [&](auto&& self, EntityId e) -> void {
-    if (by[e] < 0 || done[e]) return;
-    done[e] = true;
-    for (const EntityId operand : m.constraints[by[e]].operands) self(self, operand);
-    result.insert(result.end(), of_entity[e].begin(), of_entity[e].end());
+    const std::vector<Derivation> own = std::exchange(of_entity[e], {});  // appended once
+    if (own.empty()) return;
+    for (const EntityId operand : constraint_of(part.equations[own.front().row]).operands)
+      self(self, operand);
+    result.insert(result.end(), own.begin(), own.end());
   };
-  for (const EntityId e : order) append(append, e);
+  for (const Equation& equation : part.equations)
+    if (const EntityId e = derived_entity(constraint_of(equation)); e >= 0) append(append, e);
   return result;
 }
 
 std::vector<PartDefinition> split_outputs(const Model& m, const PartDefinition& part) {
-  // constraint of the part that derives each entity
-  std::vector<int> by(m.entities.size(), no_position);
-  std::vector<EntityId> waiting;
+  std::vector<int> deriving(m.entities.size(), no_position);  // by constraints of the part
+  std::vector<EntityId> of_closures;
   for (const Equation& equation : part.equations) {
     const Constraint& c = m.constraints[equation.constraint];
     if (c.derives < 0)
-      waiting.insert(waiting.end(), c.operands.begin(), c.operands.end());
+      of_closures.insert(of_closures.end(), c.operands.begin(), c.operands.end());
     else
-      by[derived_entity(c)] = equation.constraint;
+      deriving[derived_entity(c)] = equation.constraint;
   }
-  std::vector<bool> needed(m.entities.size(), false);
-  while (!waiting.empty()) {
-    const EntityId e = waiting.back();
-    waiting.pop_back();
-    if (needed[e]) continue;
-    needed[e] = true;
-    if (by[e] >= 0)
-      waiting.insert(waiting.end(), m.constraints[by[e]].operands.begin(),
-                     m.constraints[by[e]].operands.end());
-  }
+  const std::vector<bool> needed = ends_and_sources(m, deriving, std::move(of_closures));
+  const auto is_output = [&](EntityId e) { return deriving[e] >= 0 && !needed[e]; };
 
   PartDefinition core{part.groups, {}, {}, part.constant}, outputs = core;
   const std::vector<EntityId> owner = entity_of_coordinate(m);
-  const auto is_output = [&](EntityId e) { return by[e] >= 0 && !needed[e]; };
   for (const int i : part.unknowns) (is_output(owner[i]) ? outputs : core).unknowns.push_back(i);
   for (const Equation& e : part.equations) {
-    const Constraint& c = m.constraints[e.constraint];
-    (c.derives >= 0 && is_output(derived_entity(c)) ? outputs : core).equations.push_back(e);
+    const EntityId derived = derived_entity(m.constraints[e.constraint]);
+    (derived >= 0 && is_output(derived) ? outputs : core).equations.push_back(e);
   }
   std::vector<PartDefinition> result;
   for (PartDefinition* p : {&core, &outputs})

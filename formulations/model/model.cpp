@@ -8,7 +8,6 @@
 
 #include "cases/mechanism/names.h"
 #include "formulations/constraints/constraints.h"
-#include "formulations/model/derivations.h"
 
 namespace desmo {
 

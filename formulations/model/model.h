@@ -9,7 +9,7 @@
 #include "cases/mechanism/level.h"
 #include "cases/mechanism/motion.h"
 #include "cases/numbers/derived.h"
-#include "formulations/base/modelling.h"
+#include "formulations/base/settings.h"
 
 namespace desmo {
 
@@ -205,6 +205,15 @@ void require_natural(const Model& model);
 inline EntityId derived_entity(const Constraint& c) {
   return c.derives < 0 ? no_position : c.operands[c.derives];
 }
+
+/// Makes closures of constraints that cannot be derivations: sets Constraint::derives to
+/// no_position where
+/// - the constraint is not explicit in the entity: its derivatives by the entity are not a diagonal
+///   matrix with entries ±1,
+/// - a row is left out,
+/// - the entity is driven, fixed, of another group, or derived by an earlier constraint,
+/// - the entity would be derived from itself, by way of earlier derivations.
+void keep_derivations(Model& model);
 
 /// Checks that names are unique, values are finite, constraints stand in group order, every group
 /// has as many equations as unknowns, and derivations are as keep_derivations() leaves them. Throws

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "formulations/model/derivations.h"
 
 namespace desmo {
 

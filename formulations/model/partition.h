@@ -44,6 +44,21 @@ struct DefinedPart {
   double tolerance = 0;
 };
 
+/// A derived unknown of a part and the equation that is explicit in it.
+struct Derivation {
+  int row;     ///< position among the part's equations
+  int column;  ///< position among the part's unknowns
+};
+
+/// Returns the derivations of a part, in an order in which each reads only unknowns that are not
+/// derived, or are derived before.
+std::vector<Derivation> derivations(const Model& model, const PartDefinition& part);
+
+/// Cuts a part in two: the closures with all derivations that they need, then all other
+/// derivations. Only outputs and later parts read the unknowns of the second. A part without
+/// unknowns is omitted.
+std::vector<PartDefinition> split_outputs(const Model& model, const PartDefinition& part);
+
 /// Returns the parts of a partition in solution order. Constant groups come first, each a part of
 /// its own; groups of drivers only are omitted. In other than natural coordinates, moving parts are
 /// cut by split_outputs(), except with Partition::block. Throws std::invalid_argument when a group

@@ -8,7 +8,6 @@
 
 #include "formulations/base/part.h"
 #include "formulations/equations/equations.h"
-#include "formulations/model/derivations.h"
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
 #include "formulations/parts/jacobian_factors.h"

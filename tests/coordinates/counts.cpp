@@ -11,7 +11,7 @@
 #include "cases/io/files.h"
 #include "cases/mechanism/builder.h"
 #include "formulations/formulation.h"
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 #include "formulations/model/plan.h"
 #include "formulations/variants.h"
 #include "tests/contains.h"

@@ -7,7 +7,7 @@
 #include "formulations/algebra/condensation.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/formulation.h"
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 #include "formulations/variants.h"
 #include "formulations/verification/condition.h"
 

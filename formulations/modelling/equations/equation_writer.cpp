@@ -8,7 +8,6 @@
 #include <span>
 #include <stdexcept>
 
-#include "formulations/model/derivations.h"
 #include "formulations/modelling/equations/sliding_lines.h"
 
 namespace desmo {
