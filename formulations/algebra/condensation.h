@@ -26,8 +26,7 @@ class Condensed final : public LinearSolver {
   using MakeSolver = std::function<std::unique_ptr<LinearSolver>(const Pattern&)>;
 
   /// - pattern: that of A
-  /// - derivations: those of the part (see derivations()), one or more; in their order D_y is
-  ///   triangular
+  /// - derivations: those of the part (see derivations()); in their order D_y is triangular
   /// - make_solver: makes the solver of A_r from its pattern; not called where all is derived
   Condensed(const Pattern& pattern, std::span<const Derivation> derivations,
             const MakeSolver& make_solver);

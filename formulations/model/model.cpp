@@ -8,6 +8,7 @@
 
 #include "cases/mechanism/names.h"
 #include "formulations/constraints/constraints.h"
+#include "formulations/model/partition.h"
 
 namespace desmo {
 

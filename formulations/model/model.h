@@ -206,15 +206,6 @@ inline EntityId derived_entity(const Constraint& c) {
   return c.derives < 0 ? no_position : c.operands[c.derives];
 }
 
-/// Makes closures of constraints that cannot be derivations: sets Constraint::derives to
-/// no_position where
-/// - the constraint is not explicit in the entity: its derivatives by the entity are not a diagonal
-///   matrix with entries ±1,
-/// - a row is left out,
-/// - the entity is driven, fixed, of another group, or derived by an earlier constraint,
-/// - the entity would be derived from itself, by way of earlier derivations.
-void keep_derivations(Model& model);
-
 /// Checks that names are unique, values are finite, constraints stand in group order, every group
 /// has as many equations as unknowns, and derivations are as keep_derivations() leaves them. Throws
 /// std::invalid_argument, naming the offender.

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "bench/experiments/experiments.h"
-#include "bench/experiments/modelling/linear_systems.h"
 #include "bench/experiments/modelling/problems.h"
 #include "bench/kit/formulation_candidate.h"
 #include "bench/kit/process/progress.h"
@@ -43,7 +42,7 @@ std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
     for (const int n : c.sizes) {
       if (options.quick && n != c.sizes.front()) continue;
       Comparison one{&c, n, {}};
-      for (const std::string_view natural : compared_ids())
+      for (const std::string_view natural : compared_ids)
         for (const Modelling kind : modelling_kinds)
           for (const Frames frames : {Frames::linearised, Frames::exact}) {
             const std::string id = id_in(natural, kind, frames),

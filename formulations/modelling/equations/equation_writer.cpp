@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "formulations/model/partition.h"
 #include "formulations/modelling/equations/sliding_lines.h"
 
 namespace desmo {
