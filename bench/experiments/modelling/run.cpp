@@ -35,6 +35,13 @@ struct Comparison {
   std::vector<std::pair<Modelling, std::string>> ids;
 };
 
+/// Returns the instants at which a case is compared.
+TimeGrid grid_of(const Case& definition) {
+  TimeGrid grid = definition.with_units(1).grid;
+  grid.instants = instants;
+  return grid;
+}
+
 std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
   const std::regex wanted(options.filter);
   std::vector<Comparison> all;
@@ -58,8 +65,7 @@ std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
 /// whether all were timed.
 bool measure(const Comparison& comparison, int repetitions, Json& list) {
   const Scene scene = make_scene(*comparison.definition, comparison.coordinates);
-  TimeGrid grid = comparison.definition->with_units(1).grid;
-  grid.instants = instants;
+  const TimeGrid grid = grid_of(*comparison.definition);
   const bench::Problem natural = natural_problem(scene, grid);
   std::map<Modelling, bench::Problem> problems;
   std::list<FormulationCandidate> candidates;
@@ -113,9 +119,7 @@ bench::ExitCode run(const bench::CommandLine& line) {
     right &= measure(c, repetitions, lists["times"]);
     progress.add_done(c.coordinates);
   }
-  TimeGrid grid = all.front().definition->with_units(1).grid;
-  grid.instants = instants;
-  recording.write(grid, lists);
+  recording.write(grid_of(*all.front().definition), lists);
   return right ? bench::success : bench::not_solved;
 }
 

@@ -144,14 +144,13 @@ namespace {
 /// Marks points and vectors that were added after those of `d` as internal. Removes them from the
 /// lists of groups.
 void mark_internal(Coordinates& coordinates, const Mechanism& d) {
-  const auto mark = [&](const std::vector<EntityId>& entities, std::size_t own) {
-    for (std::size_t i = own; i < entities.size(); ++i) {
-      coordinates.model.entities[entities[i]].internal = true;
-      for (Group& group : coordinates.model.groups) std::erase(group.entities, entities[i]);
-    }
-  };
-  mark(coordinates.points, d.points.size());
-  mark(coordinates.vectors, d.vectors.size());
+  Model& m = coordinates.model;
+  for (std::size_t p = d.points.size(); p < coordinates.points.size(); ++p)
+    m.entities[coordinates.points[p]].internal = true;
+  for (std::size_t v = d.vectors.size(); v < coordinates.vectors.size(); ++v)
+    m.entities[coordinates.vectors[v]].internal = true;
+  for (Group& group : m.groups)
+    std::erase_if(group.entities, [&](EntityId e) { return m.entities[e].internal; });
 }
 
 /// Makes the candidates of a mechanism to which points and vectors may have been added after those

@@ -54,17 +54,15 @@ class FramePlanner {
     for (const int r : framed_.tree.order)
       if (framed_.tree.has_frame[r]) plan_frame(r);
     for (const int r : framed_.tree.order)
-      if (framed_.tree.has_frame[r]) rigid_.list[r].basis = basis_of(framed_.frames[r]);
+      if (framed_.tree.has_frame[r]) set_basis(rigid_.list[r].basis, framed_.frames[r]);
     plan_cut_joints(framed_, axes_);
   }
 
  private:
-  Basis basis_of(const DerivedFrame& frame) const {
-    Basis basis;
-    basis.origin = frame.origin;
+  static void set_basis(Basis& basis, const DerivedFrame& frame) {
+    basis = {.origin = frame.origin, .directions = {}};
     for (const int v : frame.axes)
       if (v >= 0) basis.directions.push_back({v});
-    return basis;
   }
 
   void plan_frame(int r) {
@@ -78,20 +76,16 @@ class FramePlanner {
     switch (hanging.turn) {
       case Turn::none:
         frame.axes = axes_of(hanging.parent);
-        break;
+        return;
       case Turn::in_plane:
-        turn_in_plane(frame, r);
-        break;
+        return turn_in_plane(frame, r);
       case Turn::about_axis:
-        turn_about(frame, r, joint->vectors[0]);
-        break;
+        return turn_about(frame, r, joint->vectors[0]);
       case Turn::about_two_axes:
-        turn_about_two(frame, r, *joint);
-        break;
+        return turn_about_two(frame, r, *joint);
       case Turn::freely:
         frame.axes = add_axes(r);
         if (joint) axes_of(hanging.parent);
-        break;
     }
   }
 

@@ -37,26 +37,26 @@ class FrameWriter {
         name_(w.mechanism.bodies[w.rigid.list[r].bodies.front()].name) {}
 
   void write() {
-    switch (hanging_.turn) {
-      case Turn::none:
-        break;
-      case Turn::in_plane:
-        turn_in_plane();
-        break;
-      case Turn::about_axis:
-        turn_about();
-        break;
-      case Turn::about_two_axes:
-        turn_about_two();
-        break;
-      case Turn::freely:
-        turn_freely();
-        break;
-    }
+    turn();
     if (joint_ && slides(joint_->type)) slide();
   }
 
  private:
+  void turn() {
+    switch (hanging_.turn) {
+      case Turn::none:
+        return;
+      case Turn::in_plane:
+        return turn_in_plane();
+      case Turn::about_axis:
+        return turn_about();
+      case Turn::about_two_axes:
+        return turn_about_two();
+      case Turn::freely:
+        return turn_freely();
+    }
+  }
+
   /// Turns x by φ from the ground's x axis, or by θ from a vector f of the parent: x = R(θ) f
   void turn_in_plane() {
     const auto bearing = [&](int v) { return std::atan2(drawn(v)[1], drawn(v)[0]); };
