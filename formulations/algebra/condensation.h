@@ -18,9 +18,9 @@ namespace desmo {
 ///   A = [D_x D_y; C_x C_y]      A_r = C_x − C_y D_y⁻¹ D_x      b_r = b_c − C_y D_y⁻¹ b_d
 ///   x = A_r⁻¹ b_r               y = D_y⁻¹ (b_d − D_x x)
 ///
-/// A_r of a Jacobian A is what textbooks have by the chain rule: Φ_x ∂x/∂(r, e) in
-/// reference-point coordinates, Φ_q B with the velocity transformation B in relative ones (Kim and
-/// Vanderploeg 1986).
+/// A_r of a Jacobian A is what textbooks have by the chain rule. In reference-point coordinates it
+/// is ∂Φ/∂(r, e), with position r and Euler parameters e of each body. In relative ones it is Φ_q B
+/// with the velocity transformation B from joint rates to q̇ (Kim and Vanderploeg 1986).
 class Condensed final : public LinearSolver {
  public:
   using MakeSolver = std::function<std::unique_ptr<LinearSolver>(const Pattern&)>;

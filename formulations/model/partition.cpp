@@ -42,8 +42,8 @@ std::vector<PartDefinition> whole_groups(const Model& m) {
   return parts;
 }
 
-/// Returns whether ∂Φ/∂e of a constraint is diagonal with entries ±1, where e is the entity that it
-/// derives. size: number of components of e.
+/// Returns whether a constraint is explicit in the entity e that it derives: ∂Φ/∂e is diagonal with
+/// entries ±1. size: number of components of e.
 bool is_explicit(const Constraint& c, int size) {
   bool result = true;
   int entries = 0;
@@ -55,8 +55,8 @@ bool is_explicit(const Constraint& c, int size) {
   return result && entries == rows(c) && entries == size;
 }
 
-/// Returns for each entity whether it is among `ends`, or one of these is derived from it.
-/// deriving: by entity, the constraint that derives it; no_position: none
+/// Returns for each entity whether it is among `ends`, or one of these is derived from it, directly
+/// or by way of others. deriving: constraint that derives each entity; no_position: none
 std::vector<bool> ends_and_sources(const Model& m, const std::vector<int>& deriving,
                                    std::vector<EntityId> ends) {
   std::vector<bool> found(m.entities.size(), false);

@@ -78,7 +78,7 @@ bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism
   if (rests(a) && rests(b)) return true;
   const auto key = [&product](const Mechanism::Direction& d) {
     if (!d.is_line()) return Key{0, d.vector, d.vector};
-    if (d.from > d.to) product = -product;  // of the line in the opposite sense
+    if (d.from > d.to) product = -product;  // the key is that of the line in the opposite sense
     return Key{1, std::min(d.from, d.to), std::max(d.from, d.to)};
   };
   const Key first = key(a), second = key(b);
