@@ -21,6 +21,6 @@ struct Placement {
 /// No driver and no coupling may need the entity, and up to that group only one body may follow
 /// from it. may_wait: false to make no exception.
 Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
-                         const Structure& structure, bool may_wait = true);
+                         const Structure& structure, bool may_wait);
 
 }  // namespace desmo

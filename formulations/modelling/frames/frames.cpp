@@ -24,21 +24,6 @@ bool carries(const RigidBodies& rigid, int body, const Direction& d) {
                      : has(rigid.of_vector[d.vector]);
 }
 
-/// Returns, for each list of rigid bodies, the one that comes first in the tree; the ground comes
-/// before all others. Returns no_position for an empty list.
-std::vector<int> first_carriers(const std::vector<std::vector<int>>& carriers,
-                                const SpanningTree& tree) {
-  // Position of each body in the tree's order; -1: the ground, which comes first.
-  std::vector<int> position(tree.hanging.size(), -1);
-  for (std::size_t i = 0; i < tree.order.size(); ++i) position[tree.order[i]] = static_cast<int>(i);
-  std::vector<int> first;
-  for (const std::vector<int>& all : carriers)
-    first.push_back(all.empty() ? no_position : *std::ranges::min_element(all, {}, [&](int r) {
-      return position[r];
-    }));
-  return first;
-}
-
 class FramePlanner {
  public:
   FramePlanner(FramedMechanism& framed, const Structure& structure)
@@ -228,8 +213,15 @@ FramedMechanism put_frames(const Mechanism& d, const RigidBodies& rigid, const S
                            Modelling modelling) {
   FramedMechanism framed{d, rigid, make_tree(d, rigid, structure, modelling), {}, {}, {}, {}, {}};
   framed.frames.resize(rigid.list.size());
-  framed.deriving = first_carriers(rigid.of_point, framed.tree);
-  framed.deriving_vector = first_carriers(rigid.of_vector, framed.tree);
+  framed.deriving.assign(d.points.size(), no_position);
+  framed.deriving_vector.assign(d.vectors.size(), no_position);
+  const auto derive_all_of = [&](int r) {
+    for (const int p : rigid.list[r].points) framed.deriving[p] = r;
+    for (const int v : rigid.list[r].vectors) framed.deriving_vector[v] = r;
+  };
+  // From the last body of the tree to the first, then the ground: the first carrier stays.
+  std::for_each(framed.tree.order.rbegin(), framed.tree.order.rend(), derive_all_of);
+  derive_all_of(0);
   FramePlanner(framed, structure).plan();
   return framed;
 }
