@@ -60,8 +60,7 @@ EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vec
 EntityId EquationWriter::add_variable(EntityKind kind, std::string name,
                                       std::span<const double> start, int body) {
   Model& m = coordinates_.model;
-  // An entity of the user may have that name.
-  while (std::ranges::count(m.entities, name, &Entity::name) > 0) name += "'";
+  while (m.has(name)) name += "'";  // an entity of the user may have that name
   const EntityId id = m.add(kind, std::move(name), start, coordinates_.group_of_body[body]);
   m.entities[id].internal = true;
   return id;

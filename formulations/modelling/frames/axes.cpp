@@ -22,6 +22,8 @@ std::array<Exact, 3> axes_along(const Basis& basis, int dimension, const ExactDi
   return {x, y, cross(x, y)};
 }
 
+/// Returns whether a body with two directions has a point or vector off their plane. reach: largest
+/// absolute nominal coordinate of a point
 bool leaves_its_plane(const Mechanism& d, const RigidBody& body, double reach) {
   const auto& directions = body.basis.directions;
   if (directions.size() != 2) return false;

@@ -156,6 +156,7 @@ class FramePlanner {
     return axes;
   }
 
+  /// Finds or adds vectors along a body's own axes.
   std::array<int, 3> add_axes(int r) {
     static constexpr std::array names{"x", "y", "z"};
     std::array<int, 3> axes = framed_.frames[r].axes;

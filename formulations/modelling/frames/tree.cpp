@@ -114,9 +114,9 @@ class TreeMaker {
     return nullptr;
   }
 
-  /// Returns false for universal joints that are not drawn at a right angle, and planar sliding
-  /// ones that are drawn with a point off the line. What a body with its own frame is drawn as, is
-  /// an estimate.
+  /// Returns false for universal joints that are not drawn at a right angle, and for planar sliding
+  /// ones that are drawn with a point off the line. The drawing of a body with its own frame is an
+  /// estimate: its joints are as they should be.
   bool is_drawn_to_hang(const Mechanism::Joint& j) const {
     if (d_.bodies[j.bodies[0]].own || d_.bodies[j.bodies[1]].own) return true;
     const Drawing<double> drawing{d_};
