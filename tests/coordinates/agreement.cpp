@@ -66,8 +66,8 @@ long iterations(const Model& m, const std::string& id) {
   return total.iterations;
 }
 
-/// In the long chain bodies hang on each other. From its drawing, iterations with exact frames would
-/// lead away: an assembly takes linearised ones.
+/// In the long chain bodies hang on each other. From its drawing, iterations with exact frames
+/// would lead away: an assembly takes linearised ones.
 TEST(Coordinates, TakeNoMoreIterationsWithExactFrames) {
   for (const auto& [kind, coordinates] : {std::pair{Modelling::reference, "/coordinates:reference"},
                                           {Modelling::relative, "/coordinates:relative"}})
