@@ -7,7 +7,7 @@
 
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/equations/pattern.h"
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 
 namespace desmo {
 
@@ -18,16 +18,15 @@ namespace desmo {
 ///   A = [D_x D_y; C_x C_y]      A_r = C_x − C_y D_y⁻¹ D_x      b_r = b_c − C_y D_y⁻¹ b_d
 ///   x = A_r⁻¹ b_r               y = D_y⁻¹ (b_d − D_x x)
 ///
-/// A_r of a Jacobian A is what textbooks have by the chain rule: Φ_x ∂x/∂(r, e) in
-/// reference-point coordinates, Φ_q B with the velocity transformation B in relative ones (Kim and
-/// Vanderploeg 1986).
+/// A_r of a Jacobian A is what textbooks have by the chain rule. In reference-point coordinates it
+/// is ∂Φ/∂(r, e), with position r and Euler parameters e of each body. In relative ones it is Φ_q B
+/// with the velocity transformation B from joint rates to q̇ (Kim and Vanderploeg 1986).
 class Condensed final : public LinearSolver {
  public:
   using MakeSolver = std::function<std::unique_ptr<LinearSolver>(const Pattern&)>;
 
   /// - pattern: that of A
-  /// - derivations: those of the part (see derivations()), one or more; in their order D_y is
-  ///   triangular
+  /// - derivations: those of the part (see derivations()); in their order D_y is triangular
   /// - make_solver: makes the solver of A_r from its pattern; not called where all is derived
   Condensed(const Pattern& pattern, std::span<const Derivation> derivations,
             const MakeSolver& make_solver);
@@ -60,7 +59,7 @@ class Condensed final : public LinearSolver {
     int first, end;          // range of its terms
   };
   struct Term {
-    int column, from, to;  // column of A, position among its values and in work_
+    int column, from;  // column of A, position among its values
   };
 
   Pattern reduced_;
@@ -72,7 +71,7 @@ class Condensed final : public LinearSolver {
   std::vector<DerivedTerm> derived_terms_;  // C_y, with what elimination adds to it
   std::vector<int> closure_row_, column_;   // row, column of A for each one of A_r
   int cleared_ = 0;  // number of values in work_ that are sums: A_r, then C_y
-  // A_r; C_y; then entries of D_x and D_y except pivots, divided by −pivot of their row
+  // A_r; C_y; then the terms, each divided by −pivot of its row
   std::vector<double> work_;
   std::vector<double> scale_;  // −1/pivot of each derivation
   std::vector<double> x_, y_;  // right-hand side, then solution

@@ -20,8 +20,8 @@ set(reference_h formulations/verification/condition.h formulations/verification/
   formulations/verification/reference/reference.h)
 # Further headers, which the ones above include.
 set(installed_headers cases/io/input_error.h cases/io/units.h cases/mechanism/level.h
-  cases/numbers/derived.h formulations/base/live_row.h formulations/base/modelling.h
-  formulations/base/output.h formulations/base/per_level.h formulations/base/reference_instant.h
+  cases/numbers/derived.h formulations/base/live_row.h formulations/base/output.h
+  formulations/base/per_level.h formulations/base/reference_instant.h
   formulations/model/misfit.h formulations/model/scales.h
   formulations/verification/branch/followed_step.h formulations/verification/branch/start.h
   formulations/verification/range/range_limits.h formulations/verification/run/check_options.h

@@ -33,9 +33,9 @@ CharacteristicLengths::CharacteristicLengths(const Model& m, std::span<const dou
   }
 }
 
-/// Returns the largest distance between points of a constraint, or of its distance operands. Where
-/// the constraint does not join points, a distance operand counts up to the size of the mechanism.
-/// Beyond that it tells where the origin is.
+/// Returns the largest distance between points of a constraint, or the largest of its distance
+/// operands. Where the constraint does not join points, a distance operand counts as the size of
+/// the mechanism at most: a larger one tells where the origin is.
 double CharacteristicLengths::extent(const Constraint& c) const {
   const double limit = joins_points(m_, c) ? INFINITY : size_;
   double largest = 0;

@@ -22,11 +22,11 @@ class CharacteristicLengths {
   /// Takes the lengths at a solved position q (coordinates), for estimates that are far off.
   CharacteristicLengths(const Model& model, std::span<const double> q);
 
-  /// Returns the length of a point or a distance: the largest distance between two points of a
-  /// constraint on it, or the largest distance coordinate of such a constraint. A distance
-  /// coordinate counts as nominal_size() at most where its constraint does not join points. It may
-  /// only tell where the origin is. When all are zero, returns the largest length of its group,
-  /// else of the mechanism, else 1.
+  /// Returns the length of a point or a distance. It is the largest distance between two points of
+  /// a constraint on the entity, or the largest distance coordinate of such a constraint. Where a
+  /// constraint does not join points, its distance coordinate counts as nominal_size() at most:
+  /// such a coordinate may only tell where the origin is. When all are zero, returns the largest
+  /// length of the entity's group, else of the mechanism, else 1.
   double of(EntityId entity) const;
 
   /// Returns the smallest length of these constraints that is not 0; falls back like of(entity).
@@ -38,8 +38,9 @@ class CharacteristicLengths {
   /// Returns the largest length of a constraint's points and distances; falls back like of(entity).
   double of(const Constraint& constraint) const;
 
-  /// Returns the largest distance between two points of a constraint, or of its distance
-  /// coordinates. Where it has none, as where two points are to coincide, returns of(constraint).
+  /// Returns the largest distance between two points of a constraint, or the largest of its
+  /// distance coordinates. Returns of(constraint) where that is 0, as where two points are to
+  /// coincide, and for a constraint without dimensions.
   double own(const Constraint& constraint) const;
 
  private:

@@ -14,9 +14,9 @@ namespace desmo {
 
 namespace {
 
-/// Minimum magnitude of an equation, relative to its second-order change: an equation whose first
-/// derivatives vanish has a magnitude, too. A distance of at least about this fraction of its
-/// characteristic length keeps the magnitude of its first derivatives.
+/// Minimum magnitude of an equation, relative to its second-order change. It gives an equation
+/// whose first derivatives vanish a magnitude. A distance that is longer than about this fraction
+/// of its characteristic length keeps the magnitude of its first derivatives.
 constexpr double min_share = 1e-3;
 
 /// Returns the norm of an entity plus that of a motion: `length`, or 1 for directions and angles.

@@ -16,11 +16,11 @@ namespace desmo {
 /// characteristic length of the constraint (characteristic_lengths.h).
 ///
 /// The magnitude of an equation is the Euclidean norm of ∂Φ/∂qⱼ · magnitude of qⱼ over its
-/// coordinates, at the nominal position. Rotations of the coordinate system do not change it. A
-/// distance may start at zero. So it is at least a thousandth of the second-order change that
-/// displacements by these magnitudes make. It is 1 where both vanish. It is positive and finite.
-/// When all lengths grow by a factor λ, it grows by λ for equations in lengths, by λ² for products
-/// of lengths.
+/// coordinates, at the nominal position. Rotations of the coordinate system do not change this
+/// norm. It vanishes for a distance that starts at zero. The magnitude is therefore at least a
+/// thousandth of the second-order change of Φ by displacements of these magnitudes. Where both
+/// vanish it is 1. It is positive and finite. When all lengths grow by a factor λ, it grows by λ
+/// for equations in lengths, by λ² for products of lengths.
 class Magnitudes {
  public:
   explicit Magnitudes(const Model& model);

@@ -36,8 +36,9 @@ Misfit misfit_of(const Model& m, int constraint, int row, double residual,
                    [&](int r, int operand, int, double value) {
                      if (r == row) slope[operand] = std::hypot(slope[operand], value);
                    });
-    double chosen = 0;              // slope of the operand that the amount is of
-    std::pair steepest{false, 0.};  // whether it is by a length, and the slope: any length is first
+    double chosen = 0;  // slope by the operand that would have to change
+    // whether that operand is a length, and its slope: a length goes before all others
+    std::pair steepest{false, 0.};
     for (std::size_t k = 0; k < x.size(); ++k) {
       const EntityKind kind = m.entities[c.operands[k]].kind;
       // An angle is often as steep as a direction: rounding must not choose the unit.

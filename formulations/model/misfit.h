@@ -18,7 +18,7 @@ struct Misfit {
   /// Kind of what would have to change. The amount is in the model's unit of length for points and
   /// distances, in [rad] for angles, in [1] for all others.
   EntityKind kind = EntityKind::vector;
-  double relative = 0;  ///< over() the equation's length, by which misfits compare; 0: not set
+  double relative = 0;  ///< over() the equation's length; compares misfits; 0: not set
 
   /// Returns the amount divided by a length of the equation; without lengths, the amount itself.
   double over(double length) const { return is_length(kind) ? amount / length : amount; }

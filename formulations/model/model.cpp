@@ -8,7 +8,7 @@
 
 #include "cases/mechanism/names.h"
 #include "formulations/constraints/constraints.h"
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 
 namespace desmo {
 

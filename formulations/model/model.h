@@ -9,7 +9,7 @@
 #include "cases/mechanism/level.h"
 #include "cases/mechanism/motion.h"
 #include "cases/numbers/derived.h"
-#include "formulations/base/modelling.h"
+#include "formulations/base/settings.h"
 
 namespace desmo {
 
@@ -82,8 +82,8 @@ struct Driver {
 /// The *state* is q followed by the components of the fixed entities, so that constraints read
 /// both alike.
 ///
-/// The vectors may be changed directly; validate() then checks them. find() knows only the names
-/// that add() and add_fixed() were given.
+/// The vectors may be changed directly; validate() then checks them. has() and find() know only the
+/// names that add() and add_fixed() were given.
 struct Model {
   std::string name;
   std::string length_unit = "m";  ///< name of the unit of length; "1": none is named
@@ -119,6 +119,9 @@ struct Model {
 
   /// Returns the number of structural groups without the constant ones, as the paper counts.
   int structural_groups() const;
+
+  /// Returns whether an entity was added with that name.
+  bool has(const std::string& entity_name) const { return by_name_.contains(entity_name); }
 
   /// Returns the first entity that was added with that name. Throws std::invalid_argument when
   /// there is none.

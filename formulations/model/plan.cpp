@@ -71,8 +71,8 @@ class Upstream {
         for (const EntityId operand : c->operands) need_output({operand, Level::position});
   }
 
-  /// Keeps constraints of which all rows are left out, where all operands are known: they can be
-  /// checked. A constraint between constants is kept with its group, and always in a group without
+  /// Keeps constraints that can be checked: all of their rows are left out, and all operands are
+  /// known. A constraint between constants is kept with its group, and always in a group without
   /// unknowns.
   void keep_consequences() {
     for (std::size_t c = 0; c < m_.constraints.size(); ++c) {
@@ -137,8 +137,8 @@ bool is_linear(const Model& m, const PartDefinition& block, ScalarState<double>&
 }
 
 /// Returns whether a block may have no solution: a point or vector is among its unknowns, and an
-/// equation is not linear. In a group of one body, such as a crank, equations count as linear that
-/// are so in the block's unknowns.
+/// equation is not linear. In a group of one body, such as a crank, an equation counts as linear
+/// where it is linear in the block's unknowns.
 /// - owner: entity of each coordinate
 /// - drawn: estimate and fixed values; changed, then restored
 bool may_lock(const Model& m, const PartDefinition& block, const std::vector<EntityId>& owner,

@@ -27,8 +27,8 @@ struct Plan {
     /// where a dropped equation between constants may not hold.
     bool may_lock = false;
     std::vector<std::string> kept, dropped;  ///< names of its kept and dropped entities
-    /// Name of the entity, usually an output, that needs the first kept entity that is no output.
-    /// Empty: all kept entities are outputs.
+    /// The first kept entity that is no output serves another entity, usually an output: the name
+    /// of that one. Empty: all kept entities are outputs.
     std::string serves;
   };
 

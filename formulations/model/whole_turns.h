@@ -12,8 +12,8 @@
 namespace desmo {
 
 /// Maximum drift (≤) of a turn that leads back: distance of a coordinate from its first value,
-/// relative to its nominal magnitude. Rounding makes less. A slow shaft makes more while a fast one
-/// turns once.
+/// relative to its nominal magnitude. Drift by rounding is smaller. The drift of a slow shaft,
+/// while a fast one turns once, is larger.
 inline constexpr double max_drift = 1e-9;
 
 /// Returns whether two positions are the same for all equations, except for drivers and whole turns

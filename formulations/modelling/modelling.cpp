@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
 #include "formulations/modelling/equations/candidates.h"
 #include "formulations/modelling/groups/structure.h"

@@ -6,52 +6,35 @@
 
 namespace desmo {
 
-namespace {
-
-/// Returns the derivations of a part level by level. One stands a level after the last that it
-/// reads.
-std::vector<PartDefinition> by_level(const Model& m, const PartDefinition& part,
-                                     std::span<const Derivation> derivations) {
-  std::vector<PartDefinition> levels;
-  // first level that may read each entity
-  std::vector<std::size_t> first_level(m.entities.size(), 0);
-  for (const auto& [row, column] : derivations) {
-    const Equation& equation = part.equations[row];
-    const Constraint& c = m.constraints[equation.constraint];
-    const EntityId derived = derived_entity(c);
-    std::size_t level = 0;
-    for (const EntityId e : c.operands)
-      if (e != derived) level = std::max(level, first_level[e]);
-    first_level[derived] = level + 1;
-    levels.resize(std::max(levels.size(), level + 1));
-    levels[level].unknowns.push_back(part.unknowns[column]);
-    levels[level].equations.push_back(equation);
-  }
-  for (PartDefinition& level : levels) {
-    std::ranges::sort(level.unknowns);
-    std::ranges::sort(level.equations);
-  }
-  return levels;
-}
-
-}  // namespace
-
 ExactFrames::ExactFrames(const Model& m, const PartDefinition& part,
                          std::span<const Derivation> derived, const MakeEquations& make_equations)
     : residual_(part.equations.size()) {
-  for (const PartDefinition& level : by_level(m, part, derived))
-    levels_.push_back(make_level(m, make_equations(level)));
-
-  std::vector<bool> is_derivation(part.equations.size()), is_derived(part.unknowns.size());
-  for (const auto& [row, column] : derived) is_derivation[row] = is_derived[column] = true;
-  PartDefinition closures;
-  for (std::size_t i = 0; i < part.equations.size(); ++i) {
-    if (!is_derived[i]) closures.unknowns.push_back(part.unknowns[i]);
-    if (is_derivation[i]) continue;
-    closures.equations.push_back(part.equations[i]);
-    closure_row_.push_back(static_cast<int>(i));
+  constexpr std::size_t closure = -1;  // level of equations and unknowns that are not derived
+  std::vector<std::size_t> row_level(part.equations.size(), closure),
+      column_level(part.unknowns.size(), closure);
+  // first level that may read each entity: the one after the level that derives it
+  std::vector<std::size_t> first_level(m.entities.size(), 0);
+  std::size_t levels = 0;
+  for (const auto& [row, column] : derived) {
+    const Constraint& c = m.constraints[part.equations[row].constraint];
+    std::size_t level = 0;
+    for (const EntityId e : c.operands)
+      if (e != derived_entity(c)) level = std::max(level, first_level[e]);
+    row_level[row] = column_level[column] = level;
+    first_level[derived_entity(c)] = level + 1;
+    levels = std::max(levels, level + 1);
   }
-  closures_ = make_equations(closures);
+
+  std::vector<PartDefinition> definitions(levels + 1);  // of the levels, then of the closures
+  for (std::size_t i = 0; i < row_level.size(); ++i) {
+    definitions[std::min(row_level[i], levels)].equations.push_back(part.equations[i]);
+    definitions[std::min(column_level[i], levels)].unknowns.push_back(part.unknowns[i]);
+    if (row_level[i] == closure) closure_row_.push_back(static_cast<int>(i));
+  }
+  closures_ = make_equations(definitions.back());
+  definitions.pop_back();
+  for (const PartDefinition& level : definitions)
+    levels_.push_back(make_level(m, make_equations(level)));
 }
 
 ExactFrames::Level ExactFrames::make_level(const Model& m,

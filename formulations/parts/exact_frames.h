@@ -8,7 +8,6 @@
 
 #include "formulations/base/part.h"
 #include "formulations/equations/equations.h"
-#include "formulations/model/derivations.h"
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
 #include "formulations/parts/jacobian_factors.h"
@@ -22,13 +21,14 @@ struct LinearisedFrames {
   }
   static void solve(JacobianFactors& factors, Eigen::VectorXd& b) { factors.solve(b); }
 
-  /// Returns solve_position(frames) with the kind of iterations for the part's next position.
+  /// Returns solve_position(frames), where `frames` evaluates derived unknowns in the iterations of
+  /// the part's next position.
   template <class Call>
   [[gnu::always_inline]] PartResult choose(const Call& solve_position) {
     return solve_position(*this);
   }
-  void forget() {}
-  void end_assembly() {}
+  void forget() {}        // as Part::forget()
+  void end_assembly() {}  // as Part::end_assembly()
 };
 
 /// Newton iterations on x, the unknowns of a part that are not derived. Derivations are explicit in
@@ -57,6 +57,7 @@ class ExactFrames {
 
   static void solve(JacobianFactors& factors, Eigen::VectorXd& b) { factors.solve_closures(b); }
 
+  /// Like LinearisedFrames::choose(): linearised frames in an assembly, these ones in a step.
   template <class Call>
   PartResult choose(const Call& solve_position) {
     LinearisedFrames linearised;

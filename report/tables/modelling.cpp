@@ -49,9 +49,11 @@ std::string id_in(std::string_view id, std::string_view kind) {
          std::string(id.substr(slash));
 }
 
-/// Returns the time recorded for an id; null where there is none, or it failed.
-const ModelledTime* find(const Record& record, const CaseSize& place, const std::string& id) {
-  const auto found = record.modelled.find({place, id});
+/// Returns the time recorded for a formulation in a kind of coordinates; null where there is none,
+/// or it failed. id: its id in natural coordinates
+const ModelledTime* find(const Record& record, const CaseSize& place, std::string_view id,
+                         std::string_view kind) {
+  const auto found = record.modelled.find({place, id_in(id, kind)});
   return found == record.modelled.end() || found->second.status != Status::ok ? nullptr
                                                                               : &found->second;
 }
@@ -62,8 +64,8 @@ Entry ratio_in(const Record& record, const std::string& case_name,
                const std::set<std::int64_t>& sizes, const Pair& pair, std::string_view kind) {
   std::vector<SpeedUp> found;
   for (const std::int64_t n : sizes) {
-    const ModelledTime *reference = find(record, {case_name, n}, id_in(pair.reference, kind)),
-                       *variant = find(record, {case_name, n}, id_in(pair.variant, kind));
+    const ModelledTime *reference = find(record, {case_name, n}, pair.reference, kind),
+                       *variant = find(record, {case_name, n}, pair.variant, kind);
     if (!reference || !variant) return note_entry(missing_mark);
     found.push_back(
         speed_up(summarise_step(reference->time.seconds), summarise_step(variant->time.seconds)));
@@ -108,21 +110,16 @@ Table all_times(const Record& record) {
   return table;
 }
 
-/// Returns the time [s] of a step in a kind of coordinates; nothing where it was not measured.
-std::optional<double> time_in(const Record& record, const CaseSize& place, std::string_view id,
-                              std::string_view kind) {
-  const ModelledTime* entry = find(record, place, id_in(id, kind));
-  return entry ? std::optional(std::ranges::min(entry->time.seconds)) : std::nullopt;
-}
-
 /// Returns the times of a step in each kind of coordinates, divided by a unit [s]; missing_mark for
 /// all where the unit is missing.
 std::vector<Entry> times_of(const Record& record, const CaseSize& place, std::string_view id,
                             const std::optional<double>& unit) {
   std::vector<Entry> times;
   for (const char* kind : kinds) {
-    const std::optional<double> time = time_in(record, place, id, kind);
-    times.push_back(number_entry(time && unit ? std::optional(*time / *unit) : std::nullopt, 3));
+    const ModelledTime* entry = find(record, place, id, kind);
+    times.push_back(number_entry(
+        entry && unit ? std::optional(std::ranges::min(entry->time.seconds) / *unit) : std::nullopt,
+        3));
   }
   return times;
 }
@@ -163,13 +160,15 @@ std::vector<Section> modelling_sections(const Record& record) {
   };
   const CaseSize& last = record.modelled.rbegin()->first;
   constexpr std::string_view generated = "group_symbolic_explicit";
-  const std::optional<double> natural = time_in(record, last, generated, kinds.front());
+  const ModelledTime* natural = find(record, last, generated, kinds.front());
+  const std::optional<double> unit =
+      natural ? std::optional(std::ranges::min(natural->time.seconds)) : std::nullopt;
   const TextValues values{{"case", last.case_name},
                           {"cholmod", ratio("group, dense, over global CHOLMOD")},
                           {"umfpack", ratio("group, dense, over global UMFPACK")},
                           {"klu", ratio("group, dense, over global KLU")},
                           {"in_groups", ratio("in groups, dense over KLU")},
-                          {"generated", in_all_kinds(times_of(record, last, generated, natural))}};
+                          {"generated", in_all_kinds(times_of(record, last, generated, unit))}};
   return {headed_section("modelling_front", values, {in_short(record)}),
           headed_section("modelling_section", {}, {std::move(found), all_times(record)})};
 }

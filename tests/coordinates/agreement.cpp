@@ -66,7 +66,8 @@ long iterations(const Model& m, const std::string& id) {
   return total.iterations;
 }
 
-/// Bodies of the long chain hang on each other: from the drawing, exact frames lead away.
+/// In the long chain bodies hang on each other. From its drawing, iterations with exact frames
+/// would lead away: an assembly takes linearised ones.
 TEST(Coordinates, TakeNoMoreIterationsWithExactFrames) {
   for (const auto& [kind, coordinates] : {std::pair{Modelling::reference, "/coordinates:reference"},
                                           {Modelling::relative, "/coordinates:relative"}})
@@ -79,7 +80,7 @@ TEST(Coordinates, TakeNoMoreIterationsWithExactFrames) {
     }
 }
 
-/// A part whose unknowns are all derived has no closure that would tell.
+/// A part whose unknowns are all derived has no closure whose residual would be NaN.
 TEST(Coordinates, ThatAreNoNumbersAreNoneWithExactFrames) {
   const Model m = make_model(four_bar(1), Modelling::relative);
   const auto f = formulated("block_automatic_klu/coordinates:relative/frames:exact", m);

@@ -11,7 +11,7 @@
 #include "cases/io/files.h"
 #include "cases/mechanism/builder.h"
 #include "formulations/formulation.h"
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 #include "formulations/model/plan.h"
 #include "formulations/variants.h"
 #include "tests/contains.h"
@@ -94,8 +94,8 @@ TEST(Coordinates, HangBodiesOnFreeOnes) {
   EXPECT_EQ(solved(make_model(scene, Modelling::reference), Partition::global), Counts{6});
 }
 
-/// What rounding leaves beside a line is on it. What slides beside it by three times as much as may
-/// be taken for rounding keeps its distance, so that the joint is cut.
+/// A point that is drawn off its line by rounding counts as on the line. One that is off by three
+/// times the limit of rounding keeps its distance: its joint is cut.
 TEST(Coordinates, KeepWhatSlidesBesideItsLineThere) {
   constexpr double rounding = 1e-12 * 5;  // of the size, 3 by 4
   for (const auto& [kind, off] : {std::pair{Modelling::basis, -0.3},

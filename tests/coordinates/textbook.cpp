@@ -17,9 +17,9 @@
 namespace desmo::textbook_test {
 namespace {
 
-/// A row as textbooks have it: by each unknown, and without accelerations.
+/// A row of the Jacobian as textbooks have it, and Φ̈ where accelerations of unknowns are 0.
 struct Row {
-  VectorXd by;
+  VectorXd by;  // derivative by each unknown
   double gamma;
 };
 

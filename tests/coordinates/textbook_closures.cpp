@@ -7,7 +7,7 @@
 
 #include "formulations/algebra/condensation.h"
 #include "formulations/equations/automatic.h"
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 #include "tests/coordinates/textbook_motion.h"
 
 namespace desmo::textbook_test {

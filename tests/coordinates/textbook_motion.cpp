@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cases/mechanism/joint_forms.h"
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 

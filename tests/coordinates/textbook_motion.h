@@ -36,15 +36,15 @@ class Instant {
   MatrixXd jacobian;          // closures × unknowns that are not derived
   VectorXd gamma;             // Φ̇_q q̇ of closures without derived accelerations
   std::vector<Equation> closures;
-  std::map<int, int> column;  // by coordinate
+  std::map<int, int> column;  // column of each coordinate that is not derived
 
-  /// The rates of a point or vector: by each unknown, and its acceleration where theirs are 0.
+  /// A point or vector and its rates. bias: its acceleration where those of the unknowns are 0.
   struct Rates {
     Vector3d value, velocity, bias;
-    std::map<int, Vector3d> by;  // by column; of Euler parameters by three directions
+    std::map<int, Vector3d> by;  // derivative by the unknown of each column
   };
 
-  /// Returns the rates of an entity as the body moves it that derives it.
+  /// Returns the rates of an entity, moved by the body that derives it.
   Rates rates(EntityId e) const;
 
   /// Returns the rates of an entity as a body moves it.
@@ -68,13 +68,13 @@ class Instant {
   EntityId point(int p) const { return m.find(framed.mechanism.points[p].name); }
   EntityId vector(int v) const { return m.find(framed.mechanism.vectors[v].name); }
 
-  /// Returns the framed body that derives an entity; −1: none does.
+  /// Returns the framed body that derives an entity (−1: none does), and whether it is a point.
   std::pair<int, bool> carrier(EntityId e) const;
 
   /// Finds the closures, their Jacobian and gamma by desmo's condensation.
   void condense();
-  /// Goes over from Euler parameters to turns, which keep their norm: column 0 of four becomes 0,
-  /// the others turns about the axes of the parent; gamma takes ë = −‖ė‖² e in.
+  /// Replaces Euler parameters e by turns about the three axes of the parent. These keep the norm
+  /// of e: the first of its four columns becomes 0, and gamma includes what ë = −‖ė‖² e makes.
   void turn_euler_parameters();
 
   /// Finds the screws and accelerations of bodies, parents first.

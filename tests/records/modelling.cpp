@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "bench/experiments/modelling/linear_systems.h"
 #include "bench/experiments/modelling/problems.h"
 #include "bench/kit/formulation_candidate.h"
 #include "bench/kit/verification.h"

@@ -19,7 +19,7 @@
 #include "cases/io/new_files.h"
 #include "formulations/model/partition.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
-#include "formulations/modelling/frames/tree.h"
+#include "formulations/modelling/frames/frames.h"
 
 namespace desmo::cli {
 namespace {

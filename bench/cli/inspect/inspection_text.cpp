@@ -8,7 +8,7 @@
 #include "bench/cli/text.h"
 #include "bench/cli/units.h"
 #include "cases/mechanism/names.h"
-#include "formulations/base/modelling.h"
+#include "formulations/base/settings.h"
 
 namespace desmo::cli {
 namespace {

@@ -4,12 +4,17 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "bench/kit/verification.h"
+#include "formulations/algebra/condensation.h"
+#include "formulations/equations/automatic.h"
 #include "formulations/equations/kernel_sets.h"
+#include "formulations/formulation.h"
 #include "formulations/id.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
+#include "formulations/verification/condition.h"
 
 namespace desmo::modelling {
 
@@ -29,13 +34,6 @@ void add(KernelTable& table, const KernelLibrary& library) {
 }
 
 }  // namespace
-
-std::vector<std::string_view> compared_ids() {
-  return {"global_automatic_klu",   "global_automatic_umfpack", "global_automatic_cholmod",
-          "group_automatic_klu",    "group_automatic_umfpack",  "group_automatic_cholmod",
-          "group_automatic_lapack", "group_symbolic_lapack",    "group_symbolic_inlined",
-          "group_symbolic_explicit"};
-}
 
 std::string id_in(std::string_view id, Modelling kind, Frames frames) {
   const auto v = std::ranges::find(variants(), id, &Variant::id);
@@ -70,6 +68,28 @@ bench::Problem problem_in(const Scene& scene, const bench::Problem& natural, Mod
   add(problem.kernels, coordinates_kernels());
   add(problem.kernels, coordinates_explicit_kernels());
   return problem;
+}
+
+LinearSystems linear_systems(const Model& m, Partition partition) {
+  LinearSystems sum;
+  for (const PartDefinition& part : make_partition(m, partition)) {
+    if (part.constant) continue;
+    const AutomaticEquations equations(m, part);
+    const Condensed condensed(equations.pattern(), derivations(m, part),
+                              [](const Pattern&) { return std::unique_ptr<LinearSolver>(); });
+    sum.unknowns += condensed.reduced_pattern().n;
+    sum.entries += condensed.reduced_pattern().dependent_entries();
+    sum.condensation += condensed.operations();
+  }
+  return sum;
+}
+
+double condition_at_start(const Model& m, double time) {
+  const auto formulation = make_formulation(find_variant("group_automatic_lapack"), m,
+                                            Settings{.coordinates = m.modelling});
+  if (const Summary s = formulation->assemble(time); !s.ok())
+    throw std::runtime_error(describe(s, m));
+  return ConditionNumber(m)(formulation->q());
 }
 
 }  // namespace desmo::modelling

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "bench/experiments/experiments.h"
-#include "bench/experiments/modelling/linear_systems.h"
 #include "bench/experiments/modelling/problems.h"
 #include "bench/kit/formulation_candidate.h"
 #include "bench/kit/process/progress.h"
@@ -36,6 +35,13 @@ struct Comparison {
   std::vector<std::pair<Modelling, std::string>> ids;
 };
 
+/// Returns the instants at which a case is compared.
+TimeGrid grid_of(const Case& definition) {
+  TimeGrid grid = definition.with_units(1).grid;
+  grid.instants = instants;
+  return grid;
+}
+
 std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
   const std::regex wanted(options.filter);
   std::vector<Comparison> all;
@@ -43,7 +49,7 @@ std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
     for (const int n : c.sizes) {
       if (options.quick && n != c.sizes.front()) continue;
       Comparison one{&c, n, {}};
-      for (const std::string_view natural : compared_ids())
+      for (const std::string_view natural : compared_ids)
         for (const Modelling kind : modelling_kinds)
           for (const Frames frames : {Frames::linearised, Frames::exact}) {
             const std::string id = id_in(natural, kind, frames),
@@ -59,8 +65,7 @@ std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
 /// whether all were timed.
 bool measure(const Comparison& comparison, int repetitions, Json& list) {
   const Scene scene = make_scene(*comparison.definition, comparison.coordinates);
-  TimeGrid grid = comparison.definition->with_units(1).grid;
-  grid.instants = instants;
+  const TimeGrid grid = grid_of(*comparison.definition);
   const bench::Problem natural = natural_problem(scene, grid);
   std::map<Modelling, bench::Problem> problems;
   std::list<FormulationCandidate> candidates;
@@ -114,9 +119,7 @@ bench::ExitCode run(const bench::CommandLine& line) {
     right &= measure(c, repetitions, lists["times"]);
     progress.add_done(c.coordinates);
   }
-  TimeGrid grid = all.front().definition->with_units(1).grid;
-  grid.instants = instants;
-  recording.write(grid, lists);
+  recording.write(grid_of(*all.front().definition), lists);
   return right ? bench::success : bench::not_solved;
 }
 

@@ -175,37 +175,25 @@ void keep_along(EquationWriter& w, const std::string& name, const RigidBody& bod
                            }));
 }
 
+/// Writes the products of a body's basis, or the derivation of its frame. Writes the relations of
+/// its other points and vectors. For a point that an earlier body derives, the relation closes the
+/// joint there. A vector that one derives has none (see plan_cut_joints()).
 template <int D>
-void write_body(EquationWriter& w, int r) {
+void write_body(EquationWriter& w, int r, bool has_frame) {
   const RigidBody& body = w.rigid.list[r];
   w.begin(r);
   const std::string name = w.mechanism.bodies[body.bodies.front()].name + ": ";
   const std::vector<Direction>& directions = body.basis.directions;
-  for (std::size_t i = 0; i < directions.size(); ++i)
+  if (has_frame) write_frame(w, r);
+  for (std::size_t i = 0; !has_frame && i < directions.size(); ++i)
     for (std::size_t j = i; j < directions.size(); ++j)
       keep_product<D>(w, name, body, directions[i], directions[j]);
   for (const int p : body.points)
     if (!body.basis.has_point(p)) relate_point(w, name, body, p);
   for (const int v : body.vectors)
-    if (follows_from_points(w.mechanism, body, v))
+    if (!has_frame && follows_from_points(w.mechanism, body, v))
       keep_along<D>(w, name, body, v);
-    else if (!body.basis.has_vector(v))
-      relate_vector(w, name, body, v);
-}
-
-/// Writes the derivation of a body's frame, and the relations of its points and vectors to the
-/// frame. For a point that an earlier body derives, the relation closes the joint there. A vector
-/// that one derives has none (see plan_cut_joints()).
-template <int D>
-void write_framed_body(EquationWriter& w, int r) {
-  const RigidBody& body = w.rigid.list[r];
-  w.begin(r);
-  const std::string name = w.mechanism.bodies[body.bodies.front()].name + ": ";
-  write_frame<D>(w, r);
-  for (const int p : body.points)
-    if (!body.basis.has_point(p)) relate_point(w, name, body, p);
-  for (const int v : body.vectors)
-    if (!body.basis.has_vector(v) && w.framed->deriving_vector[v] == r)
+    else if (!body.basis.has_vector(v) && (!has_frame || w.framed->deriving_vector[v] == r))
       relate_vector(w, name, body, v);
 }
 
@@ -215,11 +203,10 @@ template <int D>
 void write_body_equations(EquationWriter& w) {
   hold_ground_vectors<D>(w);
   if (w.framed) {
-    for (const int r : w.framed->tree.order)
-      w.framed->tree.has_frame[r] ? write_framed_body<D>(w, r) : write_body<D>(w, r);
+    for (const int r : w.framed->tree.order) write_body<D>(w, r, w.framed->tree.has_frame[r]);
     return;
   }
-  for (int r = 1; r < static_cast<int>(w.rigid.list.size()); ++r) write_body<D>(w, r);
+  for (int r = 1; r < static_cast<int>(w.rigid.list.size()); ++r) write_body<D>(w, r, false);
 }
 
 template void write_body_equations<2>(EquationWriter&);

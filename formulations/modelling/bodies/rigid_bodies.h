@@ -60,7 +60,8 @@ void require_representable(const Mechanism& mechanism);
 /// less than 5.7° to the plane of two others is never taken. Throws std::invalid_argument, naming
 /// the body, when
 /// - a body carries neither point nor vector,
-/// - a declared length is not the nominal one, although a fixed joint adds points to the body,
+/// - a declared length is not the nominal one, although a fixed joint adds points to the body or
+///   holds it on the ground,
 /// - a body with a frame of its own is drawn as in a mirror, unless it is nearly flat.
 RigidBodies find_rigid_bodies(const Mechanism& mechanism);
 

@@ -33,6 +33,6 @@ bool declares_distance(const Mechanism& mechanism, const Mechanism::Joint& joint
 /// naming the coordinate, when a coordinate measures nothing that can move.
 Coordinates make_coordinates(const Mechanism& mechanism, const RigidBodies& rigid,
                              const Structure& structure, const std::vector<Motion>& motions,
-                             Modelling modelling = Modelling::natural);
+                             Modelling modelling);
 
 }  // namespace desmo

@@ -17,9 +17,10 @@ struct Placement {
 };
 
 /// Assigns each point and vector to the first group with a body that carries it. There is one
-/// exception: an entity may wait for a later group that alone has it in the basis of a body. No
-/// driver, no coupling and no second body may need it before. may_wait: false to make no exception.
+/// exception: an entity waits for a later group where no other group has it in the basis of a body.
+/// No driver and no coupling may need the entity, and up to that group only one body may follow
+/// from it. may_wait: false to make no exception.
 Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
-                         const Structure& structure, bool may_wait = true);
+                         const Structure& structure, bool may_wait);
 
 }  // namespace desmo

@@ -8,7 +8,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "formulations/model/derivations.h"
+#include "formulations/model/partition.h"
 #include "formulations/modelling/equations/sliding_lines.h"
 
 namespace desmo {
@@ -26,7 +26,7 @@ double max_coordinate(const Points& points, Position position = {}) {
 template <int D>
 Model write_all(EquationWriter& w) {
   write_body_equations<D>(w);
-  if (w.framed) write_cut_joints<D>(w);
+  if (w.framed) write_cut_joints(w);
   write_joint_equations(w);
   write_coordinate_equations<D>(w);
   write_coupling_equations(w);
@@ -60,8 +60,7 @@ EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vec
 EntityId EquationWriter::add_variable(EntityKind kind, std::string name,
                                       std::span<const double> start, int body) {
   Model& m = coordinates_.model;
-  // An entity of the user may have that name.
-  while (std::ranges::count(m.entities, name, &Entity::name) > 0) name += "'";
+  while (m.has(name)) name += "'";  // an entity of the user may have that name
   const EntityId id = m.add(kind, std::move(name), start, coordinates_.group_of_body[body]);
   m.entities[id].internal = true;
   return id;
@@ -78,7 +77,7 @@ bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism
   if (rests(a) && rests(b)) return true;
   const auto key = [&product](const Mechanism::Direction& d) {
     if (!d.is_line()) return Key{0, d.vector, d.vector};
-    if (d.from > d.to) product = -product;  // of the line in the opposite sense
+    if (d.from > d.to) product = -product;  // the key is that of the line in the opposite sense
     return Key{1, std::min(d.from, d.to), std::max(d.from, d.to)};
   };
   const Key first = key(a), second = key(b);
@@ -144,14 +143,13 @@ namespace {
 /// Marks points and vectors that were added after those of `d` as internal. Removes them from the
 /// lists of groups.
 void mark_internal(Coordinates& coordinates, const Mechanism& d) {
-  const auto mark = [&](const std::vector<EntityId>& entities, std::size_t own) {
-    for (std::size_t i = own; i < entities.size(); ++i) {
-      coordinates.model.entities[entities[i]].internal = true;
-      for (Group& group : coordinates.model.groups) std::erase(group.entities, entities[i]);
-    }
-  };
-  mark(coordinates.points, d.points.size());
-  mark(coordinates.vectors, d.vectors.size());
+  Model& m = coordinates.model;
+  for (std::size_t p = d.points.size(); p < coordinates.points.size(); ++p)
+    m.entities[coordinates.points[p]].internal = true;
+  for (std::size_t v = d.vectors.size(); v < coordinates.vectors.size(); ++v)
+    m.entities[coordinates.vectors[v]].internal = true;
+  for (Group& group : m.groups)
+    std::erase_if(group.entities, [&](EntityId e) { return m.entities[e].internal; });
 }
 
 /// Makes the candidates of a mechanism to which points and vectors may have been added after those

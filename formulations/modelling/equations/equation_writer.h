@@ -72,8 +72,8 @@ class EquationWriter {
 
   /// Records the scalar product of two directions unless one is recorded. Returns whether it needs
   /// an equation: false when it equals the recorded one, to rounding. Products of two fixed
-  /// directions are not recorded and need one. magnitude: of the terms whose difference the product
-  /// is, such as reach times the length of a line.
+  /// directions are not recorded and need one. magnitude: that of the terms of which the product is
+  /// a sum, such as reach times the length of a line; the product is known to max_rounding of it
   bool note_product(const Mechanism::Direction& a, const Mechanism::Direction& b, double product,
                     double magnitude);
 
@@ -123,7 +123,7 @@ bool writes_offset(const EquationWriter& writer, const Mechanism::Joint& joint);
 /// Returns the dimensions that a kind measures, zero where they are at rounding level.
 ///
 /// - operands<S>(drawing): positions of the operands of the kind in a BodyDrawing<S>
-/// - magnitude: of the terms whose difference a dimension is; 0: it is no difference
+/// - magnitude: that of the terms of which a dimension is a difference; 0: it is no difference
 template <class Kind, class Operands>
 std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double magnitude,
                                               const Operands& operands) {
@@ -144,8 +144,8 @@ std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double
 }
 
 /// Returns the cᵢ with offset = Σ cᵢ directionᵢ for the basis of a body in space. Where there are
-/// none, the sum is nearest to the offset. Coefficients at rounding level are zero. magnitude: of
-/// the positions whose difference the offset is.
+/// none, the sum is nearest to the offset. Coefficients at rounding level are zero. magnitude: that
+/// of the positions of which the offset is a difference
 std::vector<Derived> coefficients_in_space(const Mechanism& mechanism, const RigidBody& body,
                                            const Mechanism::Direction& offset, double magnitude);
 

@@ -6,11 +6,9 @@
 #include <utility>
 
 #include "cases/mechanism/joint_forms.h"
-#include "cases/numbers/space.h"
 #include "formulations/modelling/bodies/drawing.h"
 #include "formulations/modelling/coordinates/coordinates.h"
 #include "formulations/modelling/equations/equation_writer.h"
-#include "formulations/modelling/frames/axes.h"
 
 namespace desmo {
 

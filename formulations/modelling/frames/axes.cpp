@@ -1,13 +1,50 @@
-#include "formulations/modelling/frames/axes.h"
+// Vectors and points that are added to bodies: axes and origins of frames, normals.
 
 #include <algorithm>
 #include <cmath>
 
-#include "cases/numbers/space.h"
+#include "formulations/modelling/equations/equation_writer.h"
+#include "formulations/modelling/frames/frames.h"
 
 namespace desmo {
 
+namespace {
+
 using Exact = AxisMaker::Exact;
+
+/// Returns three orthonormal directions: the first one along the first direction of a body's basis,
+/// and in space the second in the plane of the first two. exact: returns a direction.
+template <class ExactDirection>
+std::array<Exact, 3> axes_along(const Basis& basis, int dimension, const ExactDirection& exact) {
+  const Exact x = unit(exact(basis.directions.front()));
+  if (dimension == 2) return {x, cross({0, 0, 1}, x), Exact{0, 0, 1}};
+  const Exact y = unit(across(exact(basis.directions[1]), x));
+  return {x, y, cross(x, y)};
+}
+
+/// Returns whether a body with two directions has a point or vector off their plane. reach: largest
+/// absolute nominal coordinate of a point
+bool leaves_its_plane(const Mechanism& d, const RigidBody& body, double reach) {
+  const auto& directions = body.basis.directions;
+  if (directions.size() != 2) return false;
+  const BodyDrawing<double> drawing{d};
+  nominal::Vec normal =
+      cross(drawing.direction(body, directions[0]), drawing.direction(body, directions[1]));
+  const double length = nominal::norm(normal);
+  for (double& x : normal) x /= length;
+  const auto is_off = [&](const Mechanism::Direction& direction, double magnitude) {
+    return !is_rounding(dot(normal, drawing.direction(body, direction)), magnitude);
+  };
+  reach = reach_of(d, body, reach);
+  const auto is_point_off = [&](int p) { return is_off({-1, body.basis.origin, p}, reach); };
+  const auto is_vector_off = [&](int v) {
+    return !follows_from_points(d, body, v) && is_off({v}, 1);
+  };
+  return std::ranges::any_of(body.points, is_point_off) ||
+         std::ranges::any_of(body.vectors, is_vector_off);
+}
+
+}  // namespace
 
 std::set<std::string> names_in(const Mechanism& d) {
   std::set<std::string> names;
@@ -15,42 +52,6 @@ std::set<std::string> names_in(const Mechanism& d) {
   for (const auto& v : d.vectors) names.insert(v.name);
   for (const auto& c : d.coordinates) names.insert(c.name);
   return names;
-}
-
-void set_exact(Mechanism::Vec& nearest, std::array<Remainder, 3>& remainder, const Exact& exact) {
-  for (int i = 0; i < 3; ++i) {
-    const Derived x = exact[i].rounded();
-    nearest[i] = x.value;
-    remainder[i] = x.remainder();
-  }
-}
-
-Exact unit(const Exact& a) {
-  const Derived length = sqrt(dot(a, a));
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
-
-Exact across(const Exact& a, const Exact& of) {
-  const Derived along = dot(a, of);
-  return {a[0] - along * of[0], a[1] - along * of[1], a[2] - along * of[2]};
-}
-
-bool are_same(const Exact& a, const Exact& b) {
-  for (int i = 0; i < 3; ++i)
-    if (!(std::abs((a[i] - b[i]).value) <= same_direction)) return false;
-  return true;
-}
-
-bool are_normal(const Exact& a, const Exact& b) {
-  return std::abs(dot(a, b).value) <= same_direction;
-}
-
-bool carries(const RigidBodies& rigid, int body, const Mechanism::Direction& d) {
-  const auto has = [&](const std::vector<int>& carriers) {
-    return std::ranges::binary_search(carriers, body);
-  };
-  return d.is_line() ? has(rigid.of_point[d.from]) && has(rigid.of_point[d.to])
-                     : has(rigid.of_vector[d.vector]);
 }
 
 AxisMaker::AxisMaker(FramedMechanism& framed)
@@ -62,11 +63,8 @@ Exact AxisMaker::own(int body, const Mechanism::Direction& d) const {
 
 std::array<Exact, 3> AxisMaker::own_axes(int body) const {
   if (body == 0) return {Exact{1, 0, 0}, Exact{0, 1, 0}, Exact{0, 0, 1}};
-  const auto& directions = framed_.rigid.list[body].basis.directions;
-  const Exact x = unit(own(body, directions.front()));
-  if (framed_.mechanism.dimension == 2) return {x, cross({0, 0, 1}, x), Exact{0, 0, 1}};
-  const Exact y = unit(across(own(body, directions[1]), x));
-  return {x, y, cross(x, y)};
+  return axes_along(framed_.rigid.list[body].basis, framed_.mechanism.dimension,
+                    [&](const Mechanism::Direction& d) { return own(body, d); });
 }
 
 int AxisMaker::find_or_add_axis(int body, const Exact& direction, const char* what) {
@@ -85,38 +83,11 @@ std::pair<int, int> AxisMaker::find_or_add_normals(int body, int vector) {
   std::array<Exact, 3> axes = own_axes(body);
   for (std::size_t k = 0; k < axes.size(); ++k)
     if (const int v = framed_.frames[body].axes[k]; v >= 0) axes[k] = own(body, v);
-  Exact n = axes[0];
-  for (const Exact& axis : axes)
-    if (std::abs(dot(axis, u).value) < std::abs(dot(n, u).value)) n = axis;
+  Exact n = *std::ranges::min_element(
+      axes, {}, [&](const Exact& axis) { return std::abs(dot(axis, u).value); });
   if (!are_normal(n, u)) n = unit(across(n, u));
   const int first = find_or_add_axis(body, n, "normal");
   return at->second = {first, find_or_add_axis(body, cross(u, n), "normal")};
-}
-
-Exact AxisMaker::nearest_to_normal(int body, const Exact& axis) const {
-  Exact best{};
-  double least = 2;
-  for (const Mechanism::Direction& d : framed_.rigid.list[body].basis.directions) {
-    const Exact u = unit(own(body, d));
-    if (const double along = std::abs(dot(u, axis).value); along < least - 1e-9) {
-      least = along;
-      best = u;
-    }
-  }
-  return best;
-}
-
-bool AxisMaker::measures_turn(const Mechanism::Coordinate& a, int parent, int body,
-                              int axis) const {
-  if (!carries(framed_.rigid, body, a.of)) return false;
-  if (!a.from.is_given()) return parent == 0;
-  if (!carries(framed_.rigid, parent, a.from)) return false;
-  if (framed_.mechanism.dimension == 2) return true;
-  if (!carries(framed_.rigid, parent, a.towards) || a.from.is_line() || a.towards.is_line())
-    return false;
-  const Exact u = own(parent, axis), f = own(parent, a.from), g = own(parent, a.towards);
-  return are_normal(u, f) && are_normal(u, g) && are_normal(f, g) &&
-         are_normal(own(body, axis), unit(own(body, a.of)));
 }
 
 void AxisMaker::add_normal(int body) {
@@ -158,17 +129,11 @@ int AxisMaker::add_point(int body, int place, const char* what) {
 Exact AxisMaker::drawn(int body, const Exact& own) const {
   const RigidBody& rigid = framed_.rigid.list[body];
   if (!rigid.has_shape()) return own;
-  const std::array<Exact, 3> of_shape = own_axes(body);
   const BodyDrawing<Derived> drawing{framed_.mechanism};
-  std::array<Exact, 3> placed;
-  placed[0] = unit(drawing.direction(rigid.basis.directions.front()));
-  if (framed_.mechanism.dimension == 2) {
-    placed[2] = {0, 0, 1};
-    placed[1] = cross(placed[2], placed[0]);
-  } else {
-    placed[1] = unit(across(drawing.direction(rigid.basis.directions[1]), placed[0]));
-    placed[2] = cross(placed[0], placed[1]);
-  }
+  const std::array<Exact, 3> of_shape = own_axes(body),
+                             placed =
+                                 axes_along(rigid.basis, framed_.mechanism.dimension,
+                                            [&](const auto&d) { return drawing.direction(d); });
   Exact result{};
   for (int k = 0; k < 3; ++k) {
     const Derived along = dot(own, of_shape[k]);
@@ -183,6 +148,22 @@ std::string AxisMaker::unique_name(int body, const char* what) {
   std::string name = base;
   for (int n = 2; !names_.insert(name).second; ++n) name = base + " " + std::to_string(n);
   return name;
+}
+
+std::optional<FramedMechanism> with_plane_normals(const Mechanism& d, const RigidBodies& rigid) {
+  if (d.dimension == 2) return {};
+  const double reach = reach_of(d);
+  std::optional<FramedMechanism> result;
+  for (int r = 1; r < static_cast<int>(rigid.list.size()); ++r) {
+    if (!leaves_its_plane(d, rigid.list[r], reach)) continue;
+    if (!result) {
+      result.emplace();
+      result->mechanism = d;
+      result->rigid = rigid;
+    }
+    AxisMaker(*result).add_normal(r);
+  }
+  return result;
 }
 
 }  // namespace desmo

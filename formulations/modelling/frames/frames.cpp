@@ -1,14 +1,12 @@
 #include "formulations/modelling/frames/frames.h"
 
-#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <tuple>
 
 #include "cases/mechanism/joint_forms.h"
-#include "cases/numbers/space.h"
+#include "formulations/modelling/coordinates/coordinates.h"
 #include "formulations/modelling/coordinates/placement.h"
-#include "formulations/modelling/frames/axes.h"
 
 namespace desmo {
 
@@ -16,7 +14,15 @@ namespace {
 
 using Direction = Mechanism::Direction;
 using Exact = AxisMaker::Exact;
-using nominal::Vec;
+
+/// Returns whether a rigid body carries a direction: a vector, or both points of a line.
+bool carries(const RigidBodies& rigid, int body, const Direction& d) {
+  const auto has = [&](const std::vector<int>& carriers) {
+    return std::ranges::binary_search(carriers, body);
+  };
+  return d.is_line() ? has(rigid.of_point[d.from]) && has(rigid.of_point[d.to])
+                     : has(rigid.of_vector[d.vector]);
+}
 
 class FramePlanner {
  public:
@@ -27,83 +33,61 @@ class FramePlanner {
         structure_(structure),
         placement_(place_entities(d_, rigid_, structure, false)),
         axes_(framed),
-        is_plane_(d_.dimension == 2),
-        orientation_(rigid_.list.size()) {}
+        is_plane_(d_.dimension == 2) {}
 
   void plan() {
-    const int own_vectors = static_cast<int>(d_.vectors.size());
-    for (const int r : framed_.tree.order) {
-      orientation_[r] = r;
-      if (framed_.tree.has_frame[r]) plan_frame(r);
-    }
     for (const int r : framed_.tree.order)
-      if (framed_.tree.has_frame[r]) rigid_.list[r].basis = basis_of(framed_.frames[r]);
-    plan_cut_joints(framed_, axes_, orientation_, own_vectors);
+      if (framed_.tree.has_frame[r]) plan_frame(r);
+    for (const int r : framed_.tree.order)
+      if (framed_.tree.has_frame[r]) set_basis(rigid_.list[r].basis, framed_.frames[r]);
+    plan_cut_joints(framed_, axes_);
   }
 
  private:
-  Basis basis_of(const DerivedFrame& frame) const {
-    Basis basis;
-    basis.origin = frame.origin;
+  static void set_basis(Basis& basis, const DerivedFrame& frame) {
+    basis = {.origin = frame.origin, .directions = {}};
     for (const int v : frame.axes)
       if (v >= 0) basis.directions.push_back({v});
-    return basis;
   }
-
-  // ---- Frames, joint by joint of the tree ----
 
   void plan_frame(int r) {
     const TreeJoint& hanging = framed_.tree.hanging[r];
     DerivedFrame& frame = framed_.frames[r];
-    using enum Mechanism::JointType;
-    if (hanging.joint < 0) {
-      place_origin(r, rigid_.list[r].points.front(), true);
-      turn_freely(r);
-      if (is_plane_) frame.first_angle = bearing(frame.axes[0]);
-      return;
+    const Mechanism::Joint* const joint = hanging.joint < 0 ? nullptr : &d_.joints[hanging.joint];
+    frame.origin = origin_of(r, joint);
+    if (joint && slides(joint->type))
+      frame.travel =
+          declared(r, [&](const Mechanism::Coordinate& c) { return is_distance_of(*joint, c); });
+    switch (hanging.turn) {
+      case Turn::none:
+        frame.axes = axes_of(hanging.parent);
+        return;
+      case Turn::in_plane:
+        return turn_in_plane(frame, r);
+      case Turn::about_axis:
+        return turn_about(frame, r, joint->vectors[0]);
+      case Turn::about_two_axes:
+        return turn_about_two(frame, r, *joint);
+      case Turn::freely:
+        frame.axes = add_axes(r);
+        if (joint) axes_of(hanging.parent);
     }
-    const Mechanism::Joint& j = d_.joints[hanging.joint];
-    place_origin(r, j.points[slides(j.type) && !hanging.is_first ? 1 : 0], false);
-    if (slides(j.type)) plan_travel(r, j);
-    if (j.type == prismatic)
-      keep_axes(r);
-    else if (is_plane_)
-      turn_in_plane(r);
-    else if (j.type == universal)
-      turn_about_two(r, j);
-    else if (j.type == spherical)
-      turn_freely(r);
-    else if (turns(j.type))
-      turn_about(r, j.vectors[0]);
-    else
-      throw std::logic_error("joint '" + j.name + "' has variables, but no frame");
   }
 
-  void place_origin(int r, int point, bool of_its_own) {
+  /// Returns the origin of a body's frame. joint: null where the body is free.
+  int origin_of(int r, const Mechanism::Joint* joint) {
+    if (!joint) return axes_.add_point(r, rigid_.list[r].points.front(), "origin");
     // A point that slides is this body's own, unless an earlier body derives it. Any other point of
     // the joint is shared with the parent.
-    const TreeJoint& hanging = framed_.tree.hanging[r];
-    const bool moves = hanging.joint >= 0 && slides(d_.joints[hanging.joint].type);
-    framed_.frames[r].origin = of_its_own || (moves && framed_.deriving[point] != r)
-                                   ? axes_.add_point(r, point, "origin")
-                                   : point;
+    if (!slides(joint->type)) return joint->points[0];
+    const int own = joint->points[framed_.tree.hanging[r].is_first ? 0 : 1];
+    return framed_.deriving[own] == r ? own : axes_.add_point(r, own, "origin");
   }
 
-  void plan_travel(int r, const Mechanism::Joint& j) {
-    DerivedFrame& frame = framed_.frames[r];
-    frame.travel =
-        declared(r, [&](const Mechanism::Coordinate& c) { return is_distance_of(j, c); });
-    const Vec& from = d_.points[j.points[0]].position;
-    const Vec& to = d_.points[j.points[1]].position;
-    using nominal::operator-;
-    frame.start_travel = dot(to - from, d_.vectors[j.vectors[0]].direction);
-  }
-
-  void turn_in_plane(int r) {
-    DerivedFrame& frame = framed_.frames[r];
-    const int parent = framed_.tree.hanging[r].parent;
-    frame.angle = declared_angle(r, Mechanism::none);
+  void turn_in_plane(DerivedFrame& frame, int r) {
+    const auto& [parent, joint, is_first, turn] = framed_.tree.hanging[r];
     Direction lead = rigid_.list[r].basis.directions.front(), from;
+    if (joint >= 0) frame.angle = declared_angle(r, Mechanism::none);
     if (frame.angle >= 0) {
       lead = d_.coordinates[frame.angle].of;
       from = d_.coordinates[frame.angle].from;
@@ -113,20 +97,13 @@ class FramePlanner {
     else if (parent != 0)
       frame.from = framed_.frames[parent].axes[0];
     frame.axes[0] = axes_.find_or_add_axis(r, unit(axes_.own(r, lead)), "x");
-    frame.first_angle = bearing(frame.axes[0]) - (frame.from < 0 ? 0 : bearing(frame.from));
   }
 
-  double bearing(int vector) const {
-    const Vec& u = d_.vectors[vector].direction;
-    return std::atan2(u[1], u[0]);
-  }
-
-  void turn_about(int r, int u) {
-    DerivedFrame& frame = framed_.frames[r];
+  void turn_about(DerivedFrame& frame, int r, int u) {
     const int parent = framed_.tree.hanging[r].parent;
-    frame.angle = declared_angle(r, u);
     const Exact axis = axes_.own(r, u);
     Exact lead;
+    frame.angle = declared_angle(r, u);
     if (frame.angle >= 0) {
       const Mechanism::Coordinate& c = d_.coordinates[frame.angle];
       lead = unit(axes_.own(r, c.of));
@@ -134,68 +111,58 @@ class FramePlanner {
       frame.towards = c.towards.vector;
       frame.opposite = c.opposite;
     } else {
-      lead = axes_.nearest_to_normal(r, axis);
+      lead = nearest_to_normal(r, axis);
       std::tie(frame.from, frame.towards) = axes_.find_or_add_normals(parent, u);
     }
-    if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
-    frame.axes = {axes_.find_or_add_axis(r, lead, "x"),
-                  axes_.find_or_add_axis(r, cross(axis, lead), "y"), u};
-    const Vec &x = direction(frame.axes[0]), &f = direction(frame.from),
-              &g = direction(frame.towards);
-    frame.first_angle = std::atan2(dot(x, g), frame.opposite ? -dot(x, f) : dot(x, f));
+    set_x_and_y(frame, r, lead, axis);
+    frame.axes[2] = u;
   }
 
-  void turn_about_two(int r, const Mechanism::Joint& j) {
-    DerivedFrame& frame = framed_.frames[r];
-    const TreeJoint& hanging = framed_.tree.hanging[r];
-    const int a = j.vectors[hanging.is_first ? 1 : 0], b = j.vectors[hanging.is_first ? 0 : 1];
-    std::tie(frame.from, frame.towards) = axes_.find_or_add_normals(hanging.parent, a);
+  void turn_about_two(DerivedFrame& frame, int r, const Mechanism::Joint& j) {
+    const auto& [parent, joint, is_first, turn] = framed_.tree.hanging[r];
+    const int a = j.vectors[is_first ? 1 : 0], b = j.vectors[is_first ? 0 : 1];
+    std::tie(frame.from, frame.towards) = axes_.find_or_add_normals(parent, a);
     const Exact axis = axes_.own(r, b);
-    Exact lead = axes_.nearest_to_normal(r, axis);
-    if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
-    frame.axes = {axes_.find_or_add_axis(r, lead, "x"),
-                  axes_.find_or_add_axis(r, cross(axis, lead), "y"),
-                  axes_.find_or_add_axis(r, axis, "z")};
-    const Vec &of_parent = direction(a), &of_body = direction(frame.axes[2]),
-              &x = direction(frame.axes[0]);
-    frame.first_angle =
-        std::atan2(dot(of_body, direction(frame.towards)), dot(of_body, direction(frame.from)));
-    frame.second_angle = std::atan2(dot(x, of_parent), dot(x, cross(of_parent, of_body)));
+    set_x_and_y(frame, r, nearest_to_normal(r, axis), axis);
+    frame.axes[2] = axes_.find_or_add_axis(r, axis, "z");
   }
 
-  void keep_axes(int r) {
-    const int parent = framed_.tree.hanging[r].parent;
-    framed_.frames[r].axes = axes_of(parent);
-    orientation_[r] = orientation_[parent];
+  /// Sets the x and y axes at right angles to a z axis; x is the part of `lead` normal to it.
+  void set_x_and_y(DerivedFrame& frame, int r, const Exact& lead, const Exact& z) {
+    const Exact x = are_normal(lead, z) ? lead : unit(across(lead, z));
+    frame.axes[0] = axes_.find_or_add_axis(r, x, "x");
+    frame.axes[1] = axes_.find_or_add_axis(r, cross(z, x), "y");
   }
 
-  void turn_freely(int r) {
-    DerivedFrame& frame = framed_.frames[r];
-    const std::array<Exact, 3> own = axes_.own_axes(r);
-    static constexpr std::array names{"x", "y", "z"};
-    for (int k = 0; k < (is_plane_ ? 1 : 3); ++k)
-      frame.axes[k] = axes_.find_or_add_axis(r, own[k], names[k]);
-    if (is_plane_) return;
-    const bool is_free = framed_.tree.hanging[r].joint < 0;
-    const std::array<int, 3> parent =
-        is_free ? frame.axes : axes_of(framed_.tree.hanging[r].parent);
-    Eigen::Matrix3d rotation;
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k)
-        rotation(i, k) = is_free ? direction(frame.axes[k])[i]
-                                 : dot(direction(parent[i]), direction(frame.axes[k]));
-    Eigen::Quaterniond e(rotation);
-    e.normalize();
-    if (e.w() < 0) e.coeffs() *= -1;
-    frame.orientation = {e.w(), e.x(), e.y(), e.z()};
+  /// Returns the direction of a body's basis that is most nearly normal to `axis`, scaled to
+  /// length 1; the first one when others differ from it by rounding alone.
+  Exact nearest_to_normal(int r, const Exact& axis) const {
+    Exact best{};
+    double least = 2;
+    for (const Direction& d : rigid_.list[r].basis.directions) {
+      const Exact u = unit(axes_.own(r, d));
+      if (const double along = std::abs(dot(u, axis).value); along < least - 1e-9) {
+        least = along;
+        best = u;
+      }
+    }
+    return best;
   }
 
   /// Returns the axes of a body; those of the ground are added when they are first asked for.
   std::array<int, 3> axes_of(int r) {
     std::array<int, 3>& axes = framed_.frames[r].axes;
+    if (axes[0] < 0) axes = add_axes(r);
+    return axes;
+  }
+
+  /// Finds or adds vectors along a body's own axes.
+  std::array<int, 3> add_axes(int r) {
     static constexpr std::array names{"x", "y", "z"};
-    for (int k = 0; r == 0 && k < (is_plane_ ? 1 : 3); ++k)
-      if (axes[k] < 0) axes[k] = axes_.find_or_add_axis(0, axes_.own_axes(0)[k], names[k]);
+    std::array<int, 3> axes = framed_.frames[r].axes;
+    const std::array<Exact, 3> own = axes_.own_axes(r);
+    for (int k = 0; k < (is_plane_ ? 1 : 3); ++k)
+      axes[k] = axes_.find_or_add_axis(r, own[k], names[k]);
     return axes;
   }
 
@@ -213,11 +180,24 @@ class FramePlanner {
   int declared_angle(int r, int axis) const {
     const int parent = framed_.tree.hanging[r].parent;
     return declared(r, [&](const Mechanism::Coordinate& c) {
-      return c.type == Mechanism::CoordinateType::angle && axes_.measures_turn(c, parent, r, axis);
+      return c.type == Mechanism::CoordinateType::angle && measures_turn(c, parent, r, axis);
     });
   }
 
-  const Vec& direction(int vector) const { return d_.vectors[vector].direction; }
+  /// Returns whether an angle is the turn of a body's tree joint: it goes from directions that the
+  /// parent carries to one that the body carries. In space all are normal to the vector `axis`.
+  bool measures_turn(const Mechanism::Coordinate& a, int parent, int body, int axis) const {
+    if (!carries(rigid_, body, a.of)) return false;
+    if (!a.from.is_given()) return parent == 0;
+    if (!carries(rigid_, parent, a.from)) return false;
+    if (is_plane_) return true;
+    if (!carries(rigid_, parent, a.towards) || a.from.is_line() || a.towards.is_line())
+      return false;
+    const Exact u = axes_.own(parent, axis), f = axes_.own(parent, a.from),
+                g = axes_.own(parent, a.towards);
+    return are_normal(u, f) && are_normal(u, g) && are_normal(f, g) &&
+           are_normal(axes_.own(body, axis), unit(axes_.own(body, a.of)));
+  }
 
   FramedMechanism& framed_;
   Mechanism& d_;
@@ -226,7 +206,6 @@ class FramePlanner {
   Placement placement_;
   AxisMaker axes_;
   bool is_plane_;
-  std::vector<int> orientation_;  // by rigid body, the first body with the same axes
 };
 
 }  // namespace
@@ -235,8 +214,15 @@ FramedMechanism put_frames(const Mechanism& d, const RigidBodies& rigid, const S
                            Modelling modelling) {
   FramedMechanism framed{d, rigid, make_tree(d, rigid, structure, modelling), {}, {}, {}, {}, {}};
   framed.frames.resize(rigid.list.size());
-  framed.deriving = first_carriers(rigid.of_point, framed.tree);
-  framed.deriving_vector = first_carriers(rigid.of_vector, framed.tree);
+  framed.deriving.assign(d.points.size(), no_position);
+  framed.deriving_vector.assign(d.vectors.size(), no_position);
+  const auto derive_all_of = [&](int r) {
+    for (const int p : rigid.list[r].points) framed.deriving[p] = r;
+    for (const int v : rigid.list[r].vectors) framed.deriving_vector[v] = r;
+  };
+  // From the last body of the tree to the first, then the ground: the first carrier stays.
+  std::for_each(framed.tree.order.rbegin(), framed.tree.order.rend(), derive_all_of);
+  derive_all_of(0);
   FramePlanner(framed, structure).plan();
   return framed;
 }

@@ -1,16 +1,57 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "formulations/modelling/coordinates/coordinates.h"
-#include "formulations/modelling/frames/tree.h"
+#include "formulations/base/settings.h"
+#include "formulations/modelling/bodies/drawing.h"
+#include "formulations/modelling/bodies/rigid_bodies.h"
+#include "formulations/modelling/groups/structure.h"
 
 namespace desmo {
 
-/// The frame of a rigid body, and the variables of the tree joint that it is derived from. Points,
-/// vectors and coordinates are indices in FramedMechanism::mechanism.
+/// How the axes of a body follow from those of its parent.
+enum class Turn {
+  none,            ///< they are the parent's
+  in_plane,        ///< turned by an angle in the plane
+  about_axis,      ///< turned by an angle about a vector that both bodies carry
+  about_two_axes,  ///< turned about a vector of the parent, then about one of the body
+  freely,          ///< turned by Euler parameters
+};
+
+/// The place of a rigid body in the spanning tree.
+struct TreeJoint {
+  int parent = 0;               ///< rigid body that it hangs on; 0: the ground
+  int joint = Mechanism::none;  ///< joint of the mechanism; none: a free joint
+  bool is_first = false;        ///< the body is the first of the joint
+  Turn turn = Turn::none;
+};
+
+/// A spanning tree of the rigid bodies that have a frame. In `relative` coordinates a body hangs on
+/// its parent by a joint of the mechanism. Where none is suitable, it hangs on the ground by a free
+/// joint. In `reference` coordinates all bodies do.
+struct SpanningTree {
+  std::vector<int> order;  ///< all rigid bodies but the ground: parents first, group by group
+  std::vector<TreeJoint> hanging;  ///< tree joint of each rigid body
+  std::vector<bool> has_frame;     ///< whether each rigid body has a frame; true for the ground
+  std::vector<bool> is_of_tree;    ///< whether each joint is in the tree; all others are cut
+};
+
+/// Returns the tree. Groups come in solution order. Within a group, the next body hangs on a placed
+/// body by the joint with the fewest variables. Among equals the body with the most joints goes
+/// first. Then the parent nearest to earlier groups decides, then the order of the joints.
+/// Bodies without such a joint hang on the ground by a free joint. A body that can spin idly, such
+/// as a rod between two spherical joints, has no frame.
+SpanningTree make_tree(const Mechanism& mechanism, const RigidBodies& rigid,
+                       const Structure& structure, Modelling modelling);
+
+/// The frame of a rigid body, and what it is derived from. Points, vectors and coordinates are
+/// indices in FramedMechanism::mechanism.
 struct DerivedFrame {
   int origin = Mechanism::none;  ///< point that is the origin
   /// Vectors that are the x, y and z axes; in the plane only x.
@@ -23,9 +64,6 @@ struct DerivedFrame {
 
   /// Declared coordinates that are the joint's variables; none: these are internal.
   int angle = Mechanism::none, travel = Mechanism::none;
-  /// Estimates of internal variables: angles [rad], travel [unit of length].
-  double first_angle = 0, second_angle = 0, start_travel = 0;
-  std::array<double, 4> orientation{};  ///< Euler parameters in the frame of the parent
 };
 
 /// Two vectors of different bodies that a cut joint keeps at right angles.
@@ -68,15 +106,62 @@ FramedMechanism put_frames(const Mechanism& mechanism, const RigidBodies& rigid,
 std::optional<FramedMechanism> with_plane_normals(const Mechanism& mechanism,
                                                   const RigidBodies& rigid);
 
+/// A maker of the axes of bodies: finds vectors of a body by their directions, or adds them.
+/// Directions are those of the body's shape (BodyDrawing).
+class AxisMaker {
+ public:
+  using Exact = Mechanism::ExactVec;
+
+  /// framed: must outlive the maker, which changes its mechanism, bodies, `deriving` and
+  /// `deriving_vector`.
+  explicit AxisMaker(FramedMechanism& framed);
+
+  /// Returns a direction of a rigid body in the frame of its own shape; as drawn, if it has none.
+  Exact own(int body, const Mechanism::Direction& d) const;
+  Exact own(int body, int vector) const { return own(body, Mechanism::Direction{vector}); }
+
+  /// Returns three orthonormal directions of a body, the first along the first direction of its
+  /// basis; for the ground, the axes of space.
+  std::array<Exact, 3> own_axes(int body) const;
+
+  /// Returns an axis of the body's frame, or a vector that the body derives, with this direction.
+  /// Adds a vector, named `<body>/<what>` and numbered where that is taken, if there is none.
+  int find_or_add_axis(int body, const Exact& direction, const char* what);
+
+  /// Returns the indices of two normals of a body's `vector` u: n₁ and n₂ = u × n₁, both vectors of
+  /// the body. Adds those that the body does not have.
+  std::pair<int, int> find_or_add_normals(int body, int vector);
+
+  /// Adds the normal of the first two directions of a body's basis, as a third one.
+  void add_normal(int body);
+
+  /// Adds a point to a body, in the place of another one.
+  int add_point(int body, int place, const char* what);
+
+ private:
+  int add_vector(int body, const Exact& own, const char* what);
+  Exact drawn(int body, const Exact& own) const;
+  std::string unique_name(int body, const char* what);
+
+  FramedMechanism& framed_;
+  std::set<std::string> names_;
+  std::map<std::pair<int, int>, std::pair<int, int>> normals_;  // normals made, by body and vector
+};
+
+/// Returns the names of all points, vectors and coordinates.
+std::set<std::string> names_in(const Mechanism& mechanism);
+
+/// Adds the closures of cut joints to a mechanism whose bodies have their frames, and the normals
+/// that they need.
+void plan_cut_joints(FramedMechanism& framed, AxisMaker& axes);
+
 class EquationWriter;
 
-/// Writes the equations that derive a rigid body's frame from the variables of its tree joint, in D
-/// dimensions. Adds those variables that are no declared coordinates.
-template <int D>
+/// Writes the equations that derive a rigid body's frame from the variables of its tree joint. Adds
+/// those variables that are no declared coordinates.
 void write_frame(EquationWriter& writer, int body);
 
-/// Writes the closures of shared vectors and of spatial sliding joints, in D dimensions.
-template <int D>
+/// Writes the closures of shared vectors and of spatial sliding joints.
 void write_cut_joints(EquationWriter& writer);
 
 }  // namespace desmo

@@ -1,37 +1,61 @@
-#include "formulations/modelling/frames/tree.h"
-
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 
-#include "cases/mechanism/drawing.h"
-#include "cases/numbers/space.h"
-#include "formulations/modelling/frames/axes.h"
+#include "cases/mechanism/joint_forms.h"
+#include "formulations/modelling/frames/frames.h"
 
 namespace desmo {
 
 namespace {
 
+/// A joint type by which a body may hang on another one. Joints of all other types are cut.
+struct TreeForm {
+  Mechanism::JointType type;
+  int dimension;
+  Turn turn;
+};
+
+std::span<const TreeForm> tree_forms() {
+  using enum Mechanism::JointType;
+  static constexpr TreeForm table[]{
+      {revolute, 2, Turn::in_plane},
+      {prismatic, 2, Turn::none},
+      {revolute_on_slider, 2, Turn::in_plane},
+      {revolute, 3, Turn::about_axis},
+      {prismatic, 3, Turn::none},
+      {cylindrical, 3, Turn::about_axis},
+      {universal, 3, Turn::about_two_axes},
+      {spherical, 3, Turn::freely},
+  };
+  return table;
+}
+
 class TreeMaker {
  public:
   TreeMaker(const Mechanism& d, const RigidBodies& rigid, const Structure& structure)
-      : d_(d), rigid_(rigid), structure_(structure), depth_(rigid.list.size(), -1) {
-    const int freedoms = d.dimension == 2 ? 3 : 6;
+      : d_(d),
+        rigid_(rigid),
+        structure_(structure),
+        freedoms_(d.dimension == 2 ? 3 : 6),
+        depth_(rigid.list.size(), -1) {
     tree_.hanging.resize(rigid.list.size());
     for (const RigidBody& body : rigid.list)
-      tree_.has_frame.push_back(tree_.has_frame.empty() || body.freedoms == freedoms);
+      tree_.has_frame.push_back(tree_.has_frame.empty() || body.freedoms == freedoms_);
     tree_.is_of_tree.assign(d.joints.size(), false);
     depth_[0] = 0;
   }
 
   SpanningTree make(bool hangs_by_joints) {
+    const TreeJoint by_free_joint{.turn = d_.dimension == 2 ? Turn::in_plane : Turn::freely};
     for (const StructuralGroup& group : structure_.groups) {
       std::vector<int> left;
       for (const int r : group.bodies)
         if (tree_.has_frame[r]) left.push_back(r);
       while (!left.empty()) {
         if (hangs_by_joints && place_by_joint(left)) continue;
-        place(left.front(), {});
+        place(left.front(), by_free_joint);
         left.erase(left.begin());
       }
       for (const int r : group.bodies)
@@ -42,12 +66,6 @@ class TreeMaker {
   }
 
  private:
-  struct Candidate {
-    int body;
-    TreeJoint hanging;
-    std::tuple<int, int, int, int> rank;
-  };
-
   void place(int r, const TreeJoint& hanging) {
     tree_.hanging[r] = hanging;
     tree_.order.push_back(r);
@@ -55,19 +73,29 @@ class TreeMaker {
     depth_[r] = depth_[hanging.parent] + 1;
   }
 
+  /// Hangs one of the bodies that are left on a placed one. Returns false where no joint allows it.
   bool place_by_joint(std::vector<int>& left) {
+    struct Candidate {
+      int body;
+      TreeJoint hanging;
+      std::tuple<int, int, int, int> rank;  // of candidates, the least one is taken
+    };
     std::vector<Candidate> candidates;
     for (int j = 0; j < static_cast<int>(d_.joints.size()); ++j)
       for (const bool is_first : {true, false}) {
         const Mechanism::Joint& joint = d_.joints[j];
         const int body = rigid_.of_body[joint.bodies[is_first ? 0 : 1]],
                   parent = rigid_.of_body[joint.bodies[is_first ? 1 : 0]];
-        const int variables = variables_of(joint, body, parent);
-        if (variables == 0 || depth_[parent] < 0 || !tree_.has_frame[parent] ||
+        if (depth_[parent] < 0 || !tree_.has_frame[parent] ||
             std::ranges::find(left, body) == left.end())
           continue;
-        candidates.push_back(
-            {body, {parent, j, is_first}, {variables, -joints_of(body), depth_[parent], j}});
+        const TreeForm* form = form_of(joint, body, parent);
+        if (!form) continue;
+        const int variables =
+            freedoms_ - find_joint_form(joint.type, d_.dimension)->freedoms_removed;
+        candidates.push_back({body,
+                              {parent, j, is_first, form->turn},
+                              {variables, -joints_of(body), depth_[parent], j}});
       }
     if (candidates.empty()) return false;
     const Candidate& best = *std::ranges::min_element(candidates, {}, &Candidate::rank);
@@ -76,49 +104,29 @@ class TreeMaker {
     return true;
   }
 
-  /// Returns the number of freedoms that a joint leaves; 0: it cannot be of a tree.
-  int variables_of(const Mechanism::Joint& j, int body, int parent) const {
-    using enum Mechanism::JointType;
-    if (body == parent) return 0;
-    switch (j.type) {
-      case revolute:
-        return 1;
-      case prismatic:  // both bodies get the same axes, as drawn: neither may have its own shape
-        return rigid_.list[body].has_shape() || rigid_.list[parent].has_shape() || is_off_line(j)
-                   ? 0
-                   : 1;
-      case revolute_on_slider:
-      case cylindrical:
-        return is_off_line(j) ? 0 : 2;
-      case universal:
-        return is_at_right_angle(j) ? 2 : 0;
-      case spherical:
-        return 3;
-      case fixed:
-      case hinge:
-      case point_on_line:
-      case point_on_plane:
-      case planar:
-        break;
-    }
-    return 0;
+  /// Returns how a body can hang on a parent by a joint; null: the joint must be cut.
+  const TreeForm* form_of(const Mechanism::Joint& j, int body, int parent) const {
+    // Bodies with the same axes have them as drawn: neither may have a shape of its own.
+    const bool has_shape = rigid_.list[body].has_shape() || rigid_.list[parent].has_shape();
+    for (const TreeForm& form : tree_forms())
+      if (form.type == j.type && form.dimension == d_.dimension)
+        return (form.turn == Turn::none && has_shape) || !is_drawn_to_hang(j) ? nullptr : &form;
+    return nullptr;
   }
 
-  bool is_at_right_angle(const Mechanism::Joint& j) const {
+  /// Returns false for universal joints that are not drawn at a right angle, and for planar sliding
+  /// ones that are drawn with a point off the line. The drawing of a body with its own frame is an
+  /// estimate: its joints are as they should be.
+  bool is_drawn_to_hang(const Mechanism::Joint& j) const {
     if (d_.bodies[j.bodies[0]].own || d_.bodies[j.bodies[1]].own) return true;
     const Drawing<double> drawing{d_};
-    return std::abs(dot(drawing.vector(j.vectors[0]), drawing.vector(j.vectors[1]))) <=
-           same_direction;
-  }
-
-  /// Returns whether a planar sliding joint is drawn with a point off its line. Such joints are
-  /// cut.
-  bool is_off_line(const Mechanism::Joint& j) const {
-    if (d_.dimension == 3 || d_.bodies[j.bodies[0]].own || d_.bodies[j.bodies[1]].own) return false;
-    const Drawing<double> drawing{d_};
+    if (j.type == Mechanism::JointType::universal)
+      return std::abs(dot(drawing.vector(j.vectors[0]), drawing.vector(j.vectors[1]))) <=
+             same_direction;
+    if (d_.dimension == 3 || !slides(j.type)) return true;
     const auto u = drawing.vector(j.vectors[0]), s = drawing.direction(j.line());
     const double off = std::abs(u[0] * s[1] - u[1] * s[0]);
-    return off > same_direction * std::max(1e-300, nominal::extent(d_));
+    return off <= same_direction * std::max(1e-300, nominal::extent(d_));
   }
 
   int joints_of(int r) const {
@@ -129,6 +137,7 @@ class TreeMaker {
   const Mechanism& d_;
   const RigidBodies& rigid_;
   const Structure& structure_;
+  const int freedoms_;      // of a body
   std::vector<int> depth_;  // tree joints of its group above each placed body; -1: not placed
   SpanningTree tree_;
 };
@@ -138,19 +147,6 @@ class TreeMaker {
 SpanningTree make_tree(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
                        Modelling modelling) {
   return TreeMaker(d, rigid, structure).make(modelling == Modelling::relative);
-}
-
-std::vector<int> first_carriers(const std::vector<std::vector<int>>& carriers,
-                                const SpanningTree& tree) {
-  // Position of each body in the tree's order; -1: the ground, which comes first.
-  std::vector<int> position(tree.hanging.size(), -1);
-  for (std::size_t i = 0; i < tree.order.size(); ++i) position[tree.order[i]] = static_cast<int>(i);
-  std::vector<int> first;
-  for (const std::vector<int>& all : carriers)
-    first.push_back(all.empty() ? no_position : *std::ranges::min_element(all, {}, [&](int r) {
-      return position[r];
-    }));
-  return first;
 }
 
 }  // namespace desmo

@@ -6,7 +6,7 @@ namespace desmo {
 
 namespace {
 
-/// Returns a name in quotes, whole: in_quotes() is for messages, which cut it.
+/// Returns a name in quotes. The name stays whole; in_quotes(), for messages, cuts a long one.
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
 std::string line_of(const Mechanism& d, int a, int b) {

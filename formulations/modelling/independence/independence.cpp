@@ -44,8 +44,8 @@ VectorXd minimise_residual(std::vector<double>& state, const GroupSystem& s,
   }
 }
 
-/// Extrapolates misfits as a m + b m², where m is the movement [natural magnitudes]. Returns that
-/// for m = 1, given those for driver_movement (whole) and half of it.
+/// Returns the misfits of a movement m = 1 [natural magnitude], extrapolated as a m + b m² from
+/// those of m = driver_movement (whole) and of half of it (half).
 VectorXd extrapolated(const VectorXd& half, const VectorXd& whole) {
   return (4 * half - whole) / driver_movement +
          (2 * whole - 4 * half) / (driver_movement * driver_movement);
@@ -86,7 +86,7 @@ std::optional<Contradiction> find_contradiction(const GroupSystem& s,
     const VectorXd far = extrapolated(half, whole);
     if (off <= max_misfit && far.cwiseAbs().maxCoeff() <= max_misfit) return {};
     if (found && !std::isfinite(off))
-      continue;  // outside of a table, say; the other way tells more
+      continue;  // e.g. outside of a table: the first direction tells more
     const int constraint = s.rows[worst].first;
     found = {constraint, off, way, contradicted(s, whole, constraint)};
   }

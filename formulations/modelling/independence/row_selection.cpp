@@ -116,7 +116,7 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
       selected.uncertain = uncertain.maxCoeff();
   }
   if (std::ranges::find(selected.taken, false) == selected.taken.end()) return selected;
-  // Prefers rows that also serve in the nominal position, where a motion may rest.
+  // Prefers rows that have full rank in the nominal position, too: a motion may rest there.
   if (auto [rank, taken] = take(0, all);
       rank == s.unknowns && take(0, selected.taken).first < rank && take(1, taken).first == rank)
     selected.taken = std::move(taken);

@@ -35,8 +35,8 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& line
   return largest < closes;
 }
 
-/// Assembles a group with the longest lengths. Where that fails or small bodies on large ones do
-/// not close, assembles it with the shortest.
+/// Assembles a group, scaled by the longest lengths of its bodies. Where that fails, or small
+/// bodies on large ones do not close, scales it by the shortest ones.
 bool assemble(std::vector<double>& state, const GroupSystem& s, Linearisers& linearisers) {
   constexpr double max_small_residual = 1e-7;  // relative |Φ| ≤ this changes no rank
   const std::vector<double> estimate = state;

@@ -87,13 +87,18 @@ BodyFrame BodyFrames::find_frame(int body) {
 Vector BodyFrames::drawn(int body, const Mechanism::Direction& direction) const {
   const BodyDrawing<double> drawing{d_};
   auto x = drawing.direction(direction);
-  if (const auto& own = d_.bodies[body].own) {
+  if (d_.bodies[body].own) {
     const auto local = drawing.direction(rigid_.list[rigid_.of_body[body]], direction);
-    const Eigen::Vector3d rotation(own->rotation.data());
-    Eigen::Vector3d::Map(x.data()) =
-        Eigen::AngleAxisd(rotation.norm(), rotation.normalized()) * Eigen::Vector3d(local.data());
+    Eigen::Vector3d::Map(x.data()) = turn_of_frame(body) * Eigen::Vector3d(local.data());
   }
   return {x[0], x[1], x[2]};
+}
+
+Eigen::Matrix3d BodyFrames::turn_of_frame(int body) const {
+  const auto& own = d_.bodies[body].own;
+  if (!own) return Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d rotation(own->rotation.data());
+  return Eigen::AngleAxisd(rotation.norm(), rotation.normalized()).toRotationMatrix();
 }
 
 Operand BodyFrames::find_operand(const std::string& name) {

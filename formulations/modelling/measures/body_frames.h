@@ -1,6 +1,7 @@
 // Directions and frames of bodies as functions of time, for measures.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <string>
 #include <vector>
@@ -63,6 +64,8 @@ class BodyFrames {
   /// Returns the frame of a body. Throws std::invalid_argument, naming the body, when its points
   /// and vectors do not tell how it is turned.
   BodyFrame find_frame(int body);
+  /// Returns the rotation by which a body's own frame is drawn; the identity when it has none.
+  Eigen::Matrix3d turn_of_frame(int body) const;
   /// Returns a direction of a body as drawn. When the body has its own frame (Body::own), returns
   /// the direction in that frame, turned as the frame is drawn.
   Vector drawn(int body, const Mechanism::Direction& direction) const;

@@ -96,7 +96,7 @@ class Builder {
     const std::size_t first = list.size();
     for (const std::string& i : components)
       add({name + ".rotation" + i, name + ".omega" + i, name + ".alpha" + i}, EntityKind::angle);
-    add_turn(first, 0, body, std::move(axes), turn_of_frame(body));
+    add_turn(first, 0, body, std::move(axes), bodies_.turn_of_frame(body));
   }
 
   /// Returns whether to measure a turn between bodies: false when only a pattern asks for it and
@@ -135,14 +135,6 @@ class Builder {
         values[0] = {s.value - start, s.first, s.second};
       });
     }
-  }
-
-  /// Returns the rotation by which a body's own frame is drawn; the identity when it has none.
-  Eigen::Matrix3d turn_of_frame(int body) const {
-    const auto& own = d_.bodies[body].own;
-    if (!own) return Eigen::Matrix3d::Identity();
-    const Eigen::Vector3d rotation(own->rotation.data());
-    return Eigen::AngleAxisd(rotation.norm(), rotation.normalized()).toRotationMatrix();
   }
 
   /// Adds the rule for the turn of a body relative to another one, `in`, about axes of that one.
