@@ -44,8 +44,8 @@ std::vector<std::string> driver_names(const Model& model);
 /// lines but the first, before which the caller may have written up to `indent` characters.
 std::string wrap(const std::string& text, std::size_t indent);
 
-/// Returns a table whose columns are as wide as their widest cell, without trailing blanks. The
-/// first row is the heading. right: an 'r' for each column that is aligned to the right.
+/// Returns a table: two blanks before each column, none at the ends of lines.
+/// - right: character c is 'r' where column c is aligned to the right
 std::string table(const std::vector<std::vector<std::string>>& rows, std::string_view right);
 
 }  // namespace desmo::cli

@@ -73,7 +73,8 @@ class Batch {
   /// Returns whether the step starts from a prediction by kept instants. Otherwise it starts from
   /// the positions in the state.
   bool predicted() const { return predicted_; }
-  /// Forgets all instants: solve() accepts none until copy_from() finds a position of every part.
+  /// Forgets all instants. solve() accepts no subsystem until copy_from() finds a position of every
+  /// part.
   void forget() { assembled_ = kept_ = predicted_ = is_driven_ = false; }
 
   /// Solves positions, velocities and accelerations of all subsystems. Accepts none where a part

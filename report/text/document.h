@@ -70,7 +70,7 @@ struct Table {
   std::string figure = {};   ///< design of the figure drawn from the table; empty: no figure
   std::string drawn = {};    ///< column whose entries are the figure's marks; empty: all numbers
   std::string caption = {};  ///< caption of the figure: one sentence
-  std::vector<std::pair<std::string, double>> lines = {};  ///< lines of the figure: names, values
+  std::vector<std::pair<std::string, double>> lines = {};  ///< named vertical lines: name and x
 };
 
 struct Section {

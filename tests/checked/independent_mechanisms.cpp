@@ -168,7 +168,7 @@ TEST(IndependentMechanism, WithoutRatesIsSaidBesideAWorseFlag) {
     EXPECT_EQ(row.flag->kind, branch);
     EXPECT_EQ(row.other_flags[0].kind, on_point);
     EXPECT_NE(row.flag->group, row.other_flags[0].group);
-    EXPECT_TRUE(row.is_on_point());
+    EXPECT_TRUE(row.is_on_point);
     EXPECT_EQ(row.relative_radius.position, INFINITY);
     EXPECT_TRUE(std::isnan(row.instant.qd[on]) && std::isfinite(row.instant.qd[off]));
   };

@@ -44,7 +44,7 @@ Flow MotionRecorder::observe(const Instant&) noexcept {
 void MotionRecorder::record(const CheckedInstant& checked) {
   const Instant& instant = checked.instant;
   checked.for_each_flag([&](const RowFlag& f) { flag(f, instant.index); });
-  if (checked.is_on_point()) return;  // an instant on a change point has no rates
+  if (checked.is_on_point) return;  // an instant on a change point has no rates
   const auto n = static_cast<std::size_t>(model_.coordinates());
   for (const std::span<const double> values : {instant.q, instant.qd, instant.qdd})
     overflowed_ = overflowed_ ||

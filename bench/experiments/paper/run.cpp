@@ -125,8 +125,8 @@ std::vector<std::unique_ptr<Candidate>> all_candidates(const Options& options) {
   return all;
 }
 
-/// Measures all that is compared, one after the other, each in a process of its own. Returns what
-/// measure() returns of all of them.
+/// Measures the entries of `all` one after the other, each in a process of its own. Joins what
+/// measure() returns of them.
 Json measure_all(const std::vector<ComparedCandidates>& all, std::size_t candidates,
                  Console console) {
   Json result = {{"failed", false}, {"lists", Json::object()}};

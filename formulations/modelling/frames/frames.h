@@ -42,11 +42,11 @@ struct SpanningTree {
   std::vector<bool> is_of_tree;    ///< whether each joint is in the tree; all others are cut
 };
 
-/// Returns the tree. Groups come in solution order. Within a group, the next body hangs on a placed
-/// body by the joint with the fewest variables. Among equals the body with the most joints goes
-/// first. Then the parent nearest to earlier groups decides, then the order of the joints.
-/// Bodies without such a joint hang on the ground by a free joint. A body that can spin idly, such
-/// as a rod between two spherical joints, has no frame.
+/// Returns the tree, group by group in solution order. In `relative` coordinates the next body of a
+/// group hangs on a placed one by the joint of the fewest variables that a tree may have. Among
+/// equals the body with the most joints goes first. Then the parent nearest to earlier groups
+/// decides, then the order of the joints. All other bodies hang on the ground by a free joint. A
+/// body that can spin idly, such as a rod between two spherical joints, has no frame.
 SpanningTree make_tree(const Mechanism& mechanism, const RigidBodies& rigid,
                        const Structure& structure, Modelling modelling);
 

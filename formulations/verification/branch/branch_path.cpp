@@ -170,7 +170,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     if (growth.succeeded()) step *= 2;
   }
   result.out_of_tests = result.tests >= budget_;
-  // A nearly singular group spoils later ones, whose proofs may fail before its own.
+  // The worst-conditioned group may spoil proofs of later ones, and is then named.
   if (worst_conditioned_ != no_position) result.group = std::min(result.group, worst_conditioned_);
   return ended(PathEnd::stuck);
 }

@@ -5,12 +5,11 @@
 namespace desmo {
 
 /// Returns a model that encloses every mechanism that rounds to the same file. Each number of the
-/// file varies by its last digit: by u = 2⁻⁵³ times itself when read, and again when turned into
-/// metres. The radii of dimensions and fixed values grow accordingly, and rows get a
-/// Constraint::slack. Values and corrections are unchanged. Radii follow from measuring dimensions
-/// anew at the estimate, which is the drawing. Dimensions that share a point vary independently.
-///
-/// Motions do not vary, nor do zeros outside directions.
+/// file varies by 2 u times itself, u = 2⁻⁵³: it is rounded when read and when converted to metres.
+/// Components of directions vary by 2 u, even zeros. Radii of fixed values and of dimensions,
+/// measured anew at the estimate (the drawing), grow accordingly; rows of linear kinds and of
+/// tables get a Constraint::slack instead. Dimensions that share a point vary independently.
+/// Values, corrections and motions stay.
 Model with_file_variation(const Model& model);
 
 }  // namespace desmo

@@ -11,8 +11,8 @@
 
 namespace desmo {
 
-/// The n equations of up to four blocks of one shape, one block in each lane. The functions of the
-/// constraint kinds evaluate them. Arguments are the local states (BlockShape::states()). At an
+/// The n equations of up to four blocks of one shape, one in each lane. Functions of the constraint
+/// kinds evaluate all but linear ones. Arguments are the local states (BlockShape::states()). At an
 /// instant these are intervals, of which Φ and its rates use only the midpoints. Along a path they
 /// are functions of s in [−1, 1], enclosed in Taylor models.
 class BlockEquations {

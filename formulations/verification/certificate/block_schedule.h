@@ -19,11 +19,11 @@ struct ChainLink {
   struct Source {
     int interface;  ///< position in BlockSchedule::interfaces
     int row;        ///< first lent row
-    int symbol;     ///< number of symbols of the sources before this one, at each level
+    int symbol;     ///< number of symbols of the sources before this one, per level
   };
   std::vector<Source> sources;
   std::vector<int> interfaces;  ///< positions of this group's interfaces that later groups read
-  int symbols = 0;              ///< symbols of all sources, at each level
+  int symbols = 0;              ///< symbols of all sources, per level
 };
 
 /// Batches that are certified one after the other. Their inputs come from earlier steps or, in a

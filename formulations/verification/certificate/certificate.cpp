@@ -79,7 +79,7 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   }
 }
 
-/// Fills the lent rows that a group of a long chain reads, at each of the solved levels.
+/// Fills the lent rows that a link of chains reads, at each of the solved levels.
 void Certifier::Proof::load(const ChainLink& link) {
   const int count = sets_ == ErrorSets::bases ? static_cast<int>(solved_.size()) : 0;
   for (const Level level : solved_) {

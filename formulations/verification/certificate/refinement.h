@@ -46,7 +46,7 @@ class Refinement {
   using Values = PerLevel<std::vector<double>>;
   /// Bounds on the errors at a level. There are two kinds of coordinates: 0, lengths; 1, rotations.
   struct Digits {
-    double before = 0;             ///< before the corrections, over u × largest number of its kind
+    double before = 0;             ///< before the corrections, over u × size of its kind: digits()
     double open = 0;               ///< after the corrections, over the same
     std::array<double, 2> rest{};  ///< after the corrections, of each kind, in its unit
   };

@@ -99,8 +99,8 @@ const CheckedInstant* CheckedMotion::take(const Instant& at, bool is_solved) {
   return &result_;
 }
 
-/// Follows the motion to the time of an instant. Makes `found` the result if the motion leads to
-/// it, else the end of the path. Returns false if the motion cannot be followed.
+/// Follows the motion to an instant's time. The result is `found` if the motion leads to it, else
+/// the end of the path or, on a change point, the position there. Returns false if there is none.
 /// - found: the refined instant of the formulation; null: it has none that is proven
 /// - may_pass: change points are passed
 bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool may_pass) {

@@ -66,6 +66,7 @@ struct CheckedInstant {
   double condition = 0;  ///< of the instant (Certificate::condition)
   /// The instant is not the formulation's, which is on another branch or has found none.
   bool is_elsewhere = false;
+  bool is_on_point = false;       ///< a mechanism is on a change point, where it has no rates
   std::optional<RowFlag> flag{};  ///< empty: proven. The worst flag of the independent mechanisms
   std::span<const RowFlag> other_flags{};  ///< of the other mechanisms
 
@@ -74,12 +75,6 @@ struct CheckedInstant {
   void for_each_flag(const Call& call) const {
     if (flag) call(*flag);
     for (const RowFlag& other : other_flags) call(other);
-  }
-  /// Returns whether a mechanism is on a change point: it has no rates there.
-  bool is_on_point() const {
-    bool is = false;
-    for_each_flag([&](const RowFlag& f) { is |= f.kind == RowFlag::Kind::on_point; });
-    return is;
   }
 };
 

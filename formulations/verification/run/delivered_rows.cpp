@@ -36,7 +36,7 @@ bool CheckedMotion::deliver_point(const Instant& at) {
     step_.group = no_position;  // the group that is stuck now is not known
     return false;
   }
-  result_.is_elsewhere = true;
+  result_.is_elsewhere = result_.is_on_point = true;
   result_.instant = with_values(at, {on_point_, no_rates_, no_rates_});
   result_.condition = INFINITY;
   result_.flag = {.kind = RowFlag::Kind::on_point,

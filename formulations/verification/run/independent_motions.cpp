@@ -85,7 +85,8 @@ struct IndependentMotions::SubmodelMotion {
   Submodel submodel;
   CheckedMotion motion;
   InstantCopy handed_in;
-  /// First flag of a change point since the last delivered row, now and before the last take().
+  /// First flag of a change point since the last delivered row; last_passed: before the last
+  /// take().
   std::optional<RowFlag> passed, last_passed;
   /// No path leads on from the last row: try_again() begins at the drawing for each row, until
   /// begin_again().
@@ -235,6 +236,7 @@ void IndependentMotions::add(const Submodel& s, const CheckedInstant& row,
   for (const Level level : all_levels) scatter(s, row.radius[level], radius_[level]);
   result_.condition = std::max(result_.condition, row.condition);
   result_.is_elsewhere |= row.is_elsewhere;
+  result_.is_on_point |= row.is_on_point;
   if (!own_flag) return;
   RowFlag& flag = flags_.emplace_back(*own_flag);
   if (flag.group != no_position) flag.group = s.groups[flag.group];

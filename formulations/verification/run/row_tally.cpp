@@ -7,11 +7,12 @@
 namespace desmo {
 
 void RowTally::take(CheckedInstant& row, CheckedSummary& summary) {
+  // Before radii without a digit take the place of a flag.
+  row.for_each_flag([&](const RowFlag& flag) { take_flag(flag, summary); });
   take_radius(row);
   if (!row.flag) return;
   ++summary.flagged;
   if (!summary.first_flag) summary.first_flag = row.flag;
-  row.for_each_flag([&](const RowFlag& flag) { take_flag(flag, summary); });
 }
 
 /// Includes a row, unless it is unproven, in the scales and the largest radii. Flags it if its
@@ -37,7 +38,7 @@ void RowTally::take_radius(CheckedInstant& row) {
     length_[level] = std::max(length_[level], radius.length[level]);
     rotation_[level] = std::max(rotation_[level], radius.rotation[level]);
   }
-  if (row.is_on_point()) row.relative_radius = {INFINITY, INFINITY, INFINITY};
+  if (row.is_on_point) row.relative_radius = {INFINITY, INFINITY, INFINITY};
 }
 
 void RowTally::take_flag(const RowFlag& flag, CheckedSummary& summary) {
