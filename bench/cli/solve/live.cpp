@@ -32,8 +32,8 @@ void add(const LiveSummary& s, const Scales& scales, CheckedSummary& total) {
   for (const Level l : all_levels) total.radius[l] = std::max(total.radius[l], s.radius[l]);
 }
 
-std::string failure_of(const LiveSummary& s, const LiveRow& row, const LiveRun& run,
-                       const Plan& plan, const DisplayUnits& units) {
+std::string failure_of_row(const LiveSummary& s, const LiveRow& row, const LiveRun& run,
+                           const Plan& plan, const DisplayUnits& units) {
   if (s.is_unreached() && s.status == Status::singular)
     return flag_text({.kind = RowFlag::Kind::branch,
                       .time = s.time,
@@ -66,7 +66,7 @@ std::string reason_of(const LiveSummary& s, const LiveRow& row, const LiveRun& r
     return formatted(
         "t = %.9g s is not after the last row that was solved, t = %.9g s; let time go on", s.time,
         run.time());
-  if (s.outcome() == Outcome::failed) return failure_of(s, row, run, plan, units);
+  if (s.outcome() == Outcome::failed) return failure_of_row(s, row, run, plan, units);
   return flag_text(*s.flag, plan.model, units) +
          "; choose rows that avoid it, or solve without --strict";
 }
