@@ -12,6 +12,8 @@
 #include <random>
 
 #include "cases/extremes/rows.h"
+#include "cases/io/files.h"
+#include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/groupwise/double_solution.h"
 #include "tests/certificate/drawn_four_bars.h"
@@ -98,6 +100,39 @@ TEST(Passage, StopsAtADeadPoint) {
     const double direction = 1;
     EXPECT_FALSE(pass_change_point(m, path.present(), std::span(&direction, 1), 0));
   }
+}
+
+/// A parallelogram of 1 m in a mechanism that is 1,800 km wide and far from the origin. Its crank
+/// is driven by the height of its pin. Next to the change point a path begins at √u of the width,
+/// and leads 53 times as far, to a dead point: no path that has to lead 80 times as far exists.
+TEST(Passage, IsFoundInASmallPartOfALargeMechanism) {
+  const Model m = make_model(parse_scene(R"({
+    "format": "desmo-scene", "version": 2,
+    "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "small_part", "dimension": 2,
+      "points": {"O": [1000000, 0], "D": [1000002, 0], "B": [1000000.8, -0.6],
+                 "C": [1000002.8, -0.6], "F": [2780000, 0]},
+      "ground": {"points": ["O", "D", "F"]},
+      "bodies": {"crank": {"points": ["O", "B"], "length": 1},
+                 "coupler": {"points": ["B", "C"], "length": 2},
+                 "rocker": {"points": ["D", "C"], "length": 1}},
+      "joints": [
+        {"type": "revolute", "bodies": ["ground", "crank"], "points": ["O"]},
+        {"type": "revolute", "bodies": ["crank", "coupler"], "points": ["B"]},
+        {"type": "revolute", "bodies": ["coupler", "rocker"], "points": ["C"]},
+        {"type": "revolute", "bodies": ["ground", "rocker"], "points": ["D"]}],
+      "coordinates": {"h": {"component": "B", "axis": "y"}},
+      "drivers": ["h"]},
+    "motion": {"h": {"type": "polynomial", "coefficients": [0, 0.6]}},
+    "time": {"end": 1, "step": 0.01}})",
+                                         "small_part.scene.json", ""));
+  EXPECT_NEAR(nominal_size(m), 1.78e6, 1e3);
+  StuckPath path(m, -1, 1);
+  const auto point = pass_change_point(m, path.present());
+  ASSERT_TRUE(point);
+  ASSERT_TRUE(path.start_at(point->beyond()));
+  ASSERT_EQ(path.go_to(1).end, PathEnd::same);
+  EXPECT_NEAR(m.value("C.y", path.present().values.position), 0.6, 1e-8);
 }
 
 /// Returns a parallelogram whose crank is the rocker of a four-bar, which turns back just where the
