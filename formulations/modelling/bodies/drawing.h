@@ -36,7 +36,7 @@ struct BodyDrawing : Drawing<S> {
 inline constexpr double same_direction = 1e-12;
 
 /// Returns the vector a, scaled to length 1.
-inline Mechanism::ExactVec unit(const Mechanism::ExactVec& a) {
+inline Mechanism::ExactVec unit_vector(const Mechanism::ExactVec& a) {
   const Derived length = sqrt(dot(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
 }

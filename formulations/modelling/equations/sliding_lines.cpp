@@ -70,8 +70,8 @@ class LineMaker {
     const auto& directions = rigid_.list[r].basis.directions;
     if (r == 0 || directions.size() != 2) return;
     const BodyDrawing<Derived> drawing{d_};
-    const Exact normal = unit(cross(drawing.direction(rigid_.list[r], directions[0]),
-                                    drawing.direction(rigid_.list[r], directions[1])));
+    const Exact normal = unit_vector(cross(drawing.direction(rigid_.list[r], directions[0]),
+                                           drawing.direction(rigid_.list[r], directions[1])));
     Mechanism::Vector vector;
     vector.name = unique(joint + "/normal");
     set_exact(vector.direction, vector.remainder, normal);

@@ -16,9 +16,9 @@ using Exact = AxisMaker::Exact;
 /// and in space the second in the plane of the first two. exact: returns a direction.
 template <class ExactDirection>
 std::array<Exact, 3> axes_along(const Basis& basis, int dimension, const ExactDirection& exact) {
-  const Exact x = unit(exact(basis.directions.front()));
+  const Exact x = unit_vector(exact(basis.directions.front()));
   if (dimension == 2) return {x, cross({0, 0, 1}, x), Exact{0, 0, 1}};
-  const Exact y = unit(across(exact(basis.directions[1]), x));
+  const Exact y = unit_vector(across(exact(basis.directions[1]), x));
   return {x, y, cross(x, y)};
 }
 
@@ -85,7 +85,7 @@ std::pair<int, int> AxisMaker::find_or_add_normals(int body, int vector) {
     if (const int v = framed_.frames[body].axes[k]; v >= 0) axes[k] = own(body, v);
   Exact n = *std::ranges::min_element(
       axes, {}, [&](const Exact& axis) { return std::abs(dot(axis, u).value); });
-  if (!are_normal(n, u)) n = unit(across(n, u));
+  if (!are_normal(n, u)) n = unit_vector(across(n, u));
   const int first = find_or_add_axis(body, n, "normal");
   return at->second = {first, find_or_add_axis(body, cross(u, n), "normal")};
 }

@@ -93,10 +93,10 @@ class FramePlanner {
       from = d_.coordinates[frame.angle].from;
     }
     if (from.is_given())
-      frame.from = axes_.find_or_add_axis(parent, unit(axes_.own(parent, from)), "axis");
+      frame.from = axes_.find_or_add_axis(parent, unit_vector(axes_.own(parent, from)), "axis");
     else if (parent != 0)
       frame.from = framed_.frames[parent].axes[0];
-    frame.axes[0] = axes_.find_or_add_axis(r, unit(axes_.own(r, lead)), "x");
+    frame.axes[0] = axes_.find_or_add_axis(r, unit_vector(axes_.own(r, lead)), "x");
   }
 
   void turn_about(DerivedFrame& frame, int r, int u) {
@@ -106,7 +106,7 @@ class FramePlanner {
     frame.angle = declared_angle(r, u);
     if (frame.angle >= 0) {
       const Mechanism::Coordinate& c = d_.coordinates[frame.angle];
-      lead = unit(axes_.own(r, c.of));
+      lead = unit_vector(axes_.own(r, c.of));
       frame.from = c.from.vector;
       frame.towards = c.towards.vector;
       frame.opposite = c.opposite;
@@ -129,7 +129,7 @@ class FramePlanner {
 
   /// Sets the x and y axes at right angles to a z axis; x is the part of `lead` normal to it.
   void set_x_and_y(DerivedFrame& frame, int r, const Exact& lead, const Exact& z) {
-    const Exact x = are_normal(lead, z) ? lead : unit(across(lead, z));
+    const Exact x = are_normal(lead, z) ? lead : unit_vector(across(lead, z));
     frame.axes[0] = axes_.find_or_add_axis(r, x, "x");
     frame.axes[1] = axes_.find_or_add_axis(r, cross(z, x), "y");
   }
@@ -140,7 +140,7 @@ class FramePlanner {
     Exact best{};
     double least = 2;
     for (const Direction& d : rigid_.list[r].basis.directions) {
-      const Exact u = unit(axes_.own(r, d));
+      const Exact u = unit_vector(axes_.own(r, d));
       if (const double along = std::abs(dot(u, axis).value); along < least - 1e-9) {
         least = along;
         best = u;
@@ -196,7 +196,7 @@ class FramePlanner {
     const Exact u = axes_.own(parent, axis), f = axes_.own(parent, a.from),
                 g = axes_.own(parent, a.towards);
     return are_normal(u, f) && are_normal(u, g) && are_normal(f, g) &&
-           are_normal(axes_.own(body, axis), unit(axes_.own(body, a.of)));
+           are_normal(axes_.own(body, axis), unit_vector(axes_.own(body, a.of)));
   }
 
   FramedMechanism& framed_;

@@ -194,7 +194,7 @@ void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes, int r) {
     } else {
       const Exact normal = cross(axes.own(r, before->second), u);
       if (!(sqrt(dot(normal, normal)).value > min_sine)) continue;
-      framed.vectors.push_back({v, axes.find_or_add_axis(r, unit(normal), "normal")});
+      framed.vectors.push_back({v, axes.find_or_add_axis(r, unit_vector(normal), "normal")});
     }
     closed.emplace_back(other, v);
   }
