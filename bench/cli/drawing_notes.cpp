@@ -8,6 +8,7 @@
 #include "formulations/constraints/table.h"
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/scales.h"
+#include "formulations/modelling/equations/candidates.h"
 
 namespace desmo::cli {
 namespace {
@@ -23,7 +24,8 @@ std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const 
                            const DisplayUnits& units) {
   const bool has_normal = j.type == Mechanism::JointType::point_on_plane;
   if (!has_normal && j.type != Mechanism::JointType::revolute_on_slider) return "";
-  const std::string name = j.name + (has_normal ? ": distance from the plane" : ": offset");
+  const std::string name =
+      j.name + std::string(has_normal ? plane_distance_equation : offset_equation);
   const auto kept = std::ranges::find(m.constraints, name, &Constraint::name);
   if (kept == m.constraints.end()) return "";
   const double offset = std::abs(kept->constants[0].value);

@@ -11,28 +11,25 @@
 //   rows            how many scalar equations it contributes
 //   entries         how many partial derivatives its jacobian() emits
 //   linear          true when all partial derivatives are constant; jacobian then reads no x
-// and three functions, where x[k] points at the first component of operand k, v[k] at its
-// velocity and c at the constants:
+// and three functions in each EquationScalar, where x[k] points at the first component of operand
+// k, v[k] at its velocity and c at the constants:
 //   residual(x, c, phi)        phi[rows] = Φ, overwritten
 //   jacobian(x, c, entry)      entry(row, operand, component, ∂Φ_row/∂x[operand][component]),
 //                              always the same entries in the same order
 //   quadratic(x, v, c, gamma)  gamma[rows] = Φ̇_q q̇, the quadratic velocity term of eq. (4),
 //                              overwritten
-// Kinds whose dimensions follow from the positions of their operands have a fourth function, for
-// any scalar with division and square root:
+// Kinds whose dimensions follow from the positions of their operands have a fourth function, in
+// each MeasureScalar:
 //   measure(x, c)              c[constants] = dimensions for which the constraint holds at x,
 //                              overwritten; angles among the operands are not read
 // Kinds without measure() take no constants, or constants that do not follow from the positions.
 // The functions of a kind that reads a table take a cubic in place of the table: its piece at the
 // present argument, which constants_at() finds. The operands of a constraint are different
 // entities. Lengths are in the unit of the mechanism, angles in radians.
-//
-// A scalar can be made from nothing and from a double, and has +, −, *, sin and cos (Jet is the
-// shortest example). measure() also needs division and square root. Tables need division,
-// comparisons and a conversion to double (find_in_table), unless the scalar has a
-// table_coefficient() of its own, like Expr.
 
 #include <array>
+#include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <tuple>
@@ -47,6 +44,51 @@
 #include "formulations/constraints/scalar_definitions.h"
 
 namespace desmo {
+
+namespace scalars {
+
+using std::cos, std::sin, std::sqrt;
+
+/// What every scalar can do.
+template <class S>
+concept Scalar = std::default_initializable<S> && std::constructible_from<S, double> &&
+    requires(S to, const S a) {
+  to = -a;
+  to = a + a;
+  to = a - a;
+  to = a * a;
+};
+
+/// Scalar of Φ, Φ_q and the quadratic velocity term. Jet is the shortest example.
+template <class S>
+concept EquationScalar = Scalar<S> && requires(S to, const S a) {
+  to = sin(a);
+  to = cos(a);
+};
+
+/// Scalar of measure().
+template <class S>
+concept MeasureScalar = Scalar<S> && requires(S to, const S a) {
+  to = a / a;
+  to = sqrt(a);
+};
+
+/// Scalar in which find_in_table() finds a piece. A scalar with a table_coefficient() of its own,
+/// like Expr, need not be one.
+template <class S>
+concept TableScalar = Scalar<S> && requires(S to, const S a) {
+  to = a / a;
+  a < a;
+  a <= a;
+  a >= a;
+  a != 0;
+  static_cast<double>(a);
+  static_cast<int>(a);
+};
+
+}  // namespace scalars
+
+using scalars::EquationScalar, scalars::MeasureScalar, scalars::TableScalar;
 
 /// List of all kinds, over which evaluation, recording and tests iterate. A constraint stores its
 /// kind as a position in this list.

@@ -9,6 +9,8 @@
 
 namespace desmo::generate {
 
+static_assert(EquationScalar<Expr>);
+
 namespace {
 
 std::string identifier(std::string name) {

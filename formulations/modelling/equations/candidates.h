@@ -1,10 +1,16 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "formulations/modelling/coordinates/coordinates.h"
 
 namespace desmo {
+
+/// Ends of Constraint::name, after the name of the joint, of equations that keep a point's
+/// distance: from a line in the plane, and from a plane in space.
+inline constexpr std::string_view offset_equation = ": offset",
+                                  plane_distance_equation = ": distance from the plane";
 
 /// Makes a model with all constraint equations that its mechanism gives rise to, in group order;
 /// some may depend on others. It has coordinates (see make_coordinates) and these candidate

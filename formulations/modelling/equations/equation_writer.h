@@ -127,7 +127,7 @@ bool writes_offset(const EquationWriter& writer, const Mechanism::Joint& joint);
 template <class Kind, class Operands>
 std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double magnitude,
                                               const Operands& operands) {
-  const auto in = [&]<class S>(const BodyDrawing<S>& drawing) {
+  const auto in = [&]<MeasureScalar S>(const BodyDrawing<S>& drawing) {
     const auto positions = operands(drawing);
     static_assert(positions.size() <= Kind::operand_sizes.size());
     std::array<const S*, Kind::operand_sizes.size()> x{};

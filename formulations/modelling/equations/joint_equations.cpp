@@ -1,3 +1,6 @@
+#include <string>
+#include <string_view>
+
 #include "cases/mechanism/joint_forms.h"
 #include "formulations/modelling/equations/equation_writer.h"
 
@@ -19,9 +22,10 @@ std::array<Derived, Kind::constants> kept(const EquationWriter& w, const Mechani
 /// through the first point along the vector. In space it counts from the plane through the first
 /// point that is normal to the vector.
 template <class Kind>
-void keep_off(EquationWriter& w, const Mechanism::Joint& j, const char* what) {
+void keep_off(EquationWriter& w, const Mechanism::Joint& j, std::string_view name_end) {
   const int u = j.vectors[0], p = j.points[0], q = j.points[1];
-  w.constrain<Kind>(EquationSource::joint, j.name + what, {w.vector(u), w.point(p), w.point(q)},
+  w.constrain<Kind>(EquationSource::joint, j.name + std::string(name_end),
+                    {w.vector(u), w.point(p), w.point(q)},
                     kept<Kind>(w, j, w.reach, [&](const auto& drawing) {
                       return std::array{drawing.vector(u), drawing.point(p), drawing.point(q)};
                     }));
@@ -47,9 +51,9 @@ void write_joint_equations(EquationWriter& w) {
     if (first == second || (w.framed && w.framed->tree.is_of_tree[i])) continue;
     w.begin(first, second);
     if (w.mechanism.dimension == 2) {
-      if (slides(j.type) && writes_offset(w, j)) keep_off<Offset>(w, j, ": offset");
+      if (slides(j.type) && writes_offset(w, j)) keep_off<Offset>(w, j, offset_equation);
     } else if (find_joint_form(j.type, 3)->in_plane) {
-      keep_off<Projection<3>>(w, j, ": distance from the plane");
+      keep_off<Projection<3>>(w, j, plane_distance_equation);
     } else if (j.type == Mechanism::JointType::universal) {
       keep_angle(w, j);
     }

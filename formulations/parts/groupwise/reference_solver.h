@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
+#include "formulations/constraints/constraints.h"
 #include "formulations/model/part_system.h"
 #include "formulations/model/scales.h"
 
@@ -17,6 +18,8 @@ namespace desmo {
 /// solvers that check each other share no more than this.
 template <class S>
 class ReferenceSolver {
+  static_assert(EquationScalar<S> && TableScalar<S>);
+
  public:
   /// Sets the start of the next Newton iteration to the positions of another solver.
   template <class T>

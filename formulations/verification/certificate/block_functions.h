@@ -11,6 +11,10 @@
 
 namespace desmo {
 
+static_assert(EquationScalar<Jet<Compensated<LaneNumbers>>> && EquationScalar<Jet<LaneInterval>> &&
+              EquationScalar<LaneInterval> && EquationScalar<PathValue> &&
+              EquationScalar<PathSlope>);
+
 /// The functions of a kind in the scalars of proofs.
 template <class Kind>
 struct BlockEquations::FunctionsOf {

@@ -6,35 +6,16 @@
 #include <span>
 #include <utility>
 
-#include "formulations/constraints/constraints.h"
-#include "formulations/model/characteristic_lengths.h"
-#include "formulations/model/misfit.h"
-#include "formulations/model/scales.h"
-#include "formulations/modelling/independence/linearisation.h"
 #include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/range/singular_points.h"
 
 namespace desmo {
 
-namespace {
-
-/// Returns whether a driver is the distance of two points. Its equation is quadratic, so that it
-/// holds for negative values, too, which mean nothing.
-bool is_positive(const Model& m, EntityId driver) {
-  const auto is_square = [&](const Constraint& c) {
-    return (c.kind == kind_index<Distance<2>>() || c.kind == kind_index<Distance<3>>()) &&
-           c.operands.back() == driver;
-  };
-  return std::ranges::any_of(m.constraints, is_square);
-}
-
-}  // namespace
-
 DriverSweep::DriverSweep(const Model& m, int driver, const RangeLimits& limits, Point start,
                          double direction)
     : limits_(limits),
       driver_(driver),
-      followed_(std::make_unique<Followed>(m, driver, limits)),
+      followed_(std::make_unique<FollowedCurve>(m, driver, limits)),
       start_(std::move(start)),
       direction_(direction) {}
 
@@ -44,31 +25,13 @@ bool DriverSweep::choose_equations(Point& point) {
   auto chosen = with_chosen_equations(
       model(), std::span(point.state).first(static_cast<std::size_t>(model().coordinates())));
   if (!chosen) return false;
-  auto other = std::make_unique<Followed>(*chosen, driver_, limits_);
-  other->own = std::move(chosen);
+  auto other = std::make_unique<FollowedCurve>(std::move(chosen), driver_, limits_);
   if (other->curve.unknowns() != curve().unknowns()) return false;
   std::optional<Point> same_point = other->curve.at(point, curve().value(point));
   if (!same_point) return false;
   followed_ = std::move(other);
   point = *std::move(same_point);
   return true;
-}
-
-/// Returns whether the misfit of a left-out equation over its length exceeds max_misfit. The point
-/// is then on another branch, or the kept equations allow what the left-out one forbids.
-bool DriverSweep::is_violated(const Point& point) const {
-  const CharacteristicLengths lengths(model());
-  for (int c = 0; c < static_cast<int>(model().constraints.size()); ++c) {
-    const Constraint& constraint = model().constraints[c];
-    if (constraint.left_out == 0) continue;
-    const std::vector<double> phi = residual_of(model(), constraint, point.state);
-    for (int row = 0; row < rows(constraint); ++row) {
-      if (!(constraint.left_out >> row & 1)) continue;
-      const Misfit misfit = misfit_of(model(), c, row, phi[row], point.state);
-      if (misfit.over(lengths.of(constraint)) > max_misfit) return true;
-    }
-  }
-  return false;
 }
 
 bool DriverSweep::is_start(const Point& point) const {
@@ -102,8 +65,7 @@ RangeEnd DriverSweep::stuck_at(const Point& point, const EarlierPoint& far) {
 std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point& to) {
   const Entity& driver = model().entities[driven()];
   const bool turns = driver.kind == EntityKind::angle;
-  const double far =
-      turns ? 2 * std::numbers::pi * turns_ : 10 * nominal_magnitudes(model())[driver.first];
+  const double far = turns ? 2 * std::numbers::pi * turns_ : 10 * followed_->driver_magnitude;
   const double target = curve().value(start_) + direction_ * far;
   if (direction_ * (curve().value(to) - target) < 0) return {};
   if (!turns) return end(RangeStop::none, to);
@@ -143,7 +105,7 @@ void DriverSweep::look_beyond(const Point& point, const Determinants& here, doub
 std::optional<RangeEnd> DriverSweep::add_crossing(const EarlierPoint& before, double length,
                                                   const std::vector<int>& changed) {
   const double value = find_crossing(curve(), before, length, changed.size());
-  if (is_positive(model(), driven()) && is_same(value, 0))
+  if (followed_->is_driver_positive && is_same(value, 0))
     return RangeEnd{.stop = RangeStop::zero_length};
   change_points_.push_back(
       {value, changed.empty() ? no_position : followed_->determinants.group(changed.front())});
@@ -161,73 +123,119 @@ std::optional<RangeEnd> DriverSweep::run_after_dead_point() {
 }
 
 RangeEnd DriverSweep::run_from(Point point) {
-  double length = limits_.max_step;
-  followed_->double_roots.restart();
-  Determinants before = determinants(point);
-  look_beyond(point, before, -length);
-  if (!before.empty()) look_for_double_root(point, before, length);
-  double since = 0;         // arc since the last point that double roots were looked for at
-  EarlierPoint far{point};  // the last point from which a step longer than a locking_arc was made
-  for (int step = 0; step < limits_.max_steps; ++step) {
-    const auto again = [&] { return (length /= 2) > limits_.accuracy; };
-    std::optional<Point> next = curve().step(point, length);
-    if (!next && again()) continue;
+  Progress at = begin(std::move(point));
+  for (int tried = 0; tried < limits_.max_steps; ++tried) {
+    std::optional<Step> step = try_step(at);
+    if (!step && shorten(at)) continue;
     // So near to a crossing, rounding may turn a step back. A step from further away leads across.
-    bool is_across = false;
-    if (length <= limits_.max_crossing_step && (!next || forward(*next) <= 0)) {
-      std::optional<Point> across = curve().step(far.point, far.arc + limits_.max_crossing_step);
-      is_across = across && forward(*across) > 0;
-      if (is_across) {
-        next = std::move(across);
-        length = far.arc + limits_.max_crossing_step;
-        point = std::exchange(far, {far.point, 0}).point;
-      }
+    if (at.length <= limits_.max_crossing_step && (!step || forward(step->to) <= 0))
+      if (std::optional<Step> across = try_step_across(at)) step = std::move(across);
+    if (!step) return stuck_at(at.point, at.far);
+    if (std::optional<Refusal> refusal = refuse(at, *step)) {
+      if (refusal->end) return *std::move(refusal->end);
+      continue;
     }
-    if (!next) return stuck_at(point, far);
-    const bool turns = forward(*next) <= 0;
-    // det B keeps its sign at a dead point. A step across a gap between branches changes it.
-    if (turns && next->sign == point.sign)
-      if (auto dead = find_dead_point(model(), curve(), point, far, length, direction_)) {
-        turned_ = std::move(dead->after);
-        return std::move(dead->end);
-      }
-    if (turns || turns_twice(curve(), point, *next, length, direction_)) {
-      if (again()) continue;
-      return stuck_at(point, far);
-    }
-    const Determinants after = determinants(*next);
-    const std::vector<int> changed = before.changed(after);
-    const bool crosses = next->sign != point.sign || !changed.empty();
-    if (crosses) {
-      if (length > limits_.max_crossing_step && !is_across) {
-        length /= 2;
-        continue;
-      }
-      if (std::optional<RangeEnd> zero = add_crossing(far, length, changed))
-        return *std::move(zero);
-    }
-    if (is_violated(*next)) {
-      if (again()) continue;
-      return end(RangeStop::other_branch, point);
-    }
-    since += length;
-    if (crosses) followed_->double_roots.restart();
-    if (!after.empty() && !crosses) look_for_double_root(*next, after, std::exchange(since, 0));
-    if (std::optional<RangeEnd> turned = after_turns(point, *next)) {
-      look_beyond(*next, after, length);
-      return *std::move(turned);
-    }
-    if (!after.empty()) before = after;
-    if (length > limits_.locking_arc()) far = {point, 0};
-    far.arc += length;
-    point = *std::move(next);
-    if (choose_equations(point)) {
-      before = determinants(point);
-      followed_->double_roots.restart();
-    }
-    length = crosses ? limits_.max_step : std::min(limits_.max_step, 2 * length);
+    if (std::optional<RangeEnd> end = accept(at, *std::move(step))) return *std::move(end);
   }
-  return end(RangeStop::not_reached, point);
+  return end(RangeStop::not_reached, at.point);
+}
+
+/// Begins a sweep at a point. Looks for a double root there.
+DriverSweep::Progress DriverSweep::begin(Point point) {
+  const double length = limits_.max_step;
+  followed_->double_roots.restart();
+  Determinants here = determinants(point);
+  look_beyond(point, here, -length);
+  if (!here.empty()) look_for_double_root(point, here, length);
+  EarlierPoint far{point};
+  return {std::move(point), std::move(here), length, std::move(far)};
+}
+
+std::optional<DriverSweep::Step> DriverSweep::try_step(const Progress& at) {
+  std::optional<Point> to = curve().step(at.point, at.length);
+  if (!to) return {};
+  return Step{*std::move(to)};
+}
+
+/// Tries a step from the far point across a crossing. If it leads forward, goes back to the far
+/// point, where it starts.
+std::optional<DriverSweep::Step> DriverSweep::try_step_across(Progress& at) {
+  const double length = at.far.arc + limits_.max_crossing_step;
+  std::optional<Point> to = curve().step(at.far.point, length);
+  if (!to || !(forward(*to) > 0)) return {};
+  at.length = length;
+  at.point = at.far.point;
+  at.far.arc = 0;
+  return Step{.to = *std::move(to), .is_across = true};
+}
+
+/// Halves the next step. Returns whether it is still longer than the accuracy.
+bool DriverSweep::shorten(Progress& at) const {
+  at.length /= 2;
+  return at.length > limits_.accuracy;
+}
+
+/// Returns why a step is not accepted: the driver turns back in it, it is too long for a crossing
+/// or ends at one, or it leads to another branch. Returns nothing if it is accepted.
+std::optional<DriverSweep::Refusal> DriverSweep::refuse(Progress& at, Step& step) {
+  if (std::optional<Refusal> turn = refuse_turn(at, step)) return turn;
+  if (std::optional<Refusal> crossing = refuse_crossing(at, step)) return crossing;
+  if (!followed_->is_violated(step.to)) return {};
+  if (shorten(at)) return Refusal{};
+  return Refusal{end(RangeStop::other_branch, at.point)};
+}
+
+/// Refuses a step in which the driver turns back. The sweep ends at a dead point.
+std::optional<DriverSweep::Refusal> DriverSweep::refuse_turn(Progress& at, const Step& step) {
+  const bool turns = forward(step.to) <= 0;
+  // det B keeps its sign at a dead point. A step across a gap between branches changes it.
+  if (turns && step.to.sign == at.point.sign)
+    if (auto dead = find_dead_point(model(), curve(), at.point, at.far, at.length, direction_)) {
+      turned_ = std::move(dead->after);
+      return Refusal{std::move(dead->end)};
+    }
+  if (!turns && !turns_twice(curve(), at.point, step.to, at.length, direction_)) return {};
+  if (shorten(at)) return Refusal{};
+  return Refusal{stuck_at(at.point, at.far)};
+}
+
+/// Finds out whether a step crosses another branch, and adds the change point. Refuses the step if
+/// it is too long for that, or if a driven distance is zero there.
+std::optional<DriverSweep::Refusal> DriverSweep::refuse_crossing(Progress& at, Step& step) {
+  step.determinants = determinants(step.to);
+  const std::vector<int> changed = at.determinants.changed(step.determinants);
+  step.crosses = step.to.sign != at.point.sign || !changed.empty();
+  if (!step.crosses) return {};
+  if (at.length > limits_.max_crossing_step && !step.is_across) {
+    at.length /= 2;
+    return Refusal{};
+  }
+  if (std::optional<RangeEnd> zero = add_crossing(at.far, at.length, changed))
+    return Refusal{std::move(zero)};
+  return {};
+}
+
+/// Goes to the end of a step. Returns the end of the sweep if the driver has turned far enough.
+std::optional<RangeEnd> DriverSweep::accept(Progress& at, Step step) {
+  const bool is_regular = !step.determinants.empty();
+  at.since += at.length;
+  if (step.crosses) followed_->double_roots.restart();
+  if (is_regular && !step.crosses)
+    look_for_double_root(step.to, step.determinants, std::exchange(at.since, 0));
+  if (std::optional<RangeEnd> turned = after_turns(at.point, step.to)) {
+    look_beyond(step.to, step.determinants, at.length);
+    return turned;
+  }
+  if (is_regular) at.determinants = std::move(step.determinants);
+  if (at.length > limits_.locking_arc()) at.far = {std::move(at.point), 0};
+  at.far.arc += at.length;
+  at.point = std::move(step.to);
+  if (choose_equations(at.point)) {
+    at.determinants = determinants(at.point);
+    followed_->double_roots.restart();
+  }
+  at.length = step.crosses ? limits_.max_step : std::min(limits_.max_step, 2 * at.length);
+  return {};
 }
 
 }  // namespace desmo

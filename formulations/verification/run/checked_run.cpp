@@ -45,10 +45,14 @@ class CheckedRun final : Observer {
       if (!elsewhere_) take_failure(ran);
     }
     summary_.start = motion_.start();
-    if (elsewhere_ || (!summary_.ok() && solves(tried_))) go_on(From::last);
+    bool has_more = elsewhere_;
+    if (!elsewhere_ && !summary_.ok()) has_more = solve_by_path(tried_);
+    if (has_more) go_on(From::last);
     explain_failure();
-    for (; !summary_.ok() && options_.past_failures; explain_failure())
+    while (!summary_.ok() && options_.past_failures) {
       if (pass_gap()) go_on(From::estimate);
+      explain_failure();
+    }
     tally_.finish(summary_);
     return summary_;
   }
@@ -74,8 +78,7 @@ class CheckedRun final : Observer {
     return flow == Flow::go_on ? hand_on(end) : flow;
   }
 
-  /// Returns whether an instant is not checked itself: it must lie in the step between two that
-  /// are.
+  /// Returns whether an instant is not checked itself, but must lie on the step between two others.
   bool waits(int index) const {
     return options_.mode == CheckMode::sample && index % options_.sample != 0 &&
            index + 1 < grid_.instants;
@@ -144,7 +147,7 @@ class CheckedRun final : Observer {
 
   /// Solves an instant by the path alone, where the formulation could not. Returns whether that
   /// succeeds.
-  bool solves(int index) {
+  bool solve_by_path(int index) {
     const CheckedInstant* const found = motion_.solve(wanted(index));
     if (!found) return false;
     withdraw_failure();
@@ -172,7 +175,7 @@ class CheckedRun final : Observer {
         observe(solved);
       } else if (check_waiting(); !elsewhere_) {
         take_failure(s);
-        if (!solves(index)) return;
+        if (!solve_by_path(index)) return;
       }
     }
   }
