@@ -59,19 +59,16 @@ void approach(const DenseGroup& group, const std::vector<double>& magnitudes,
 
 }  // namespace
 
-std::optional<Misfit> find_assembly_error(const Model& m, std::vector<double> state,
-                                          const Settings& settings) {
+std::optional<Misfit> find_assembly_error(const Model& m, std::vector<double> state) {
   const Magnitudes magnitudes(m);
   for (const PartDefinition& definition : make_partition(m, Partition::group)) {
     const DenseGroup group(m, definition, magnitudes);
     std::vector<double> nearest = state;
-    if (group.solve(state, settings) < 0) continue;
+    if (group.solve(state, Settings{}) < 0) continue;
     approach(group, nominal_magnitudes(m), nearest);
     const Eigen::VectorXd residual = group.residual(nearest),
                           weighted = group.weights().cwiseProduct(residual);
-    // Newton's method may refuse equations that hold: rounding may leave more than a small
-    // tolerance. So at least default_tolerance is allowed here.
-    if (weighted.norm() < std::max(settings.tolerance, default_tolerance)) {
+    if (weighted.norm() < default_tolerance) {
       state = nearest;
       continue;
     }

@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "formulations/base/settings.h"
 #include "formulations/model/misfit.h"
 #include "formulations/model/model.h"
 
@@ -11,12 +10,10 @@ namespace desmo {
 
 /// Returns the assembly error of the first group that cannot be assembled. It is the misfit of the
 /// worst equation at the position that satisfies all equations best. Returns nothing if all groups
-/// can be assembled, even in a singular position. Levenberg and Marquardt's method minimises the
-/// sum of squares of (equation / its magnitude). Allocates: keep it out of timed code.
+/// can be assembled, even in a singular position: ‖Φ‖₂ of their weighted equations is below
+/// default_tolerance, whatever tolerance a run accepts. Levenberg and Marquardt's method minimises
+/// the sum of squares of (equation / its magnitude). Allocates: keep it out of timed code.
 /// - state: start of the search: the last solved instant, with the drivers of the failed one
-/// - settings: a group counts as assembled if ‖Φ‖₂ of its weighted equations is below the tolerance
-///   or default_tolerance, whichever is larger
-std::optional<Misfit> find_assembly_error(const Model& model, std::vector<double> state,
-                                          const Settings& settings);
+std::optional<Misfit> find_assembly_error(const Model& model, std::vector<double> state);
 
 }  // namespace desmo

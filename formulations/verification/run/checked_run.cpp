@@ -30,7 +30,7 @@ class CheckedRun final : Observer {
         tally_(formulation.model(), grid),
         output_(request, formulation.model().coordinates()),
         next_(observer),
-        memory_(options.mode == CheckMode::sample ? options.sample - 1 : 0,
+        memory_(options.mode == CheckMode::sample ? std::min(options.sample - 1, grid.instants) : 0,
                 InstantCopy(formulation.model().coordinates())) {
     waiting_.reserve(memory_.size());
     summary_.level = request.level;
@@ -197,7 +197,8 @@ class CheckedRun final : Observer {
       const std::vector<double> q = motion_.followed_to();  // empty: one rests on a change point
       return !q.empty() && stepping_of(formulation_).start_at(q, grid_.time(index));
     };
-    const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_, leads_to);
+    const auto [gap, again] =
+        find_gap(formulation_, grid_, tried_, summary_, options_.levels, leads_to);
     summary_.gaps.push_back(gap);
     withdraw_failure();
     tried_ = again;

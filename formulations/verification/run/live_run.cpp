@@ -236,12 +236,11 @@ LiveRun::Obstacle LiveRun::explain() const {
     state[m.entities[m.drivers[d].coordinate].first] = tried_[d];
   std::vector<GroupId> groups(m.groups.size());
   std::iota(groups.begin(), groups.end(), 0);
-  const Settings& settings = formulation_.settings();
-  const Culprit culprit = find_culprit(m, groups, state, settings);
+  const Culprit culprit = find_culprit(m, groups, state, formulation_.settings());
   const std::span<const double> followed_to =
       checks_->motions.has_begun() ? checks_->follower->path.present().values.position
                                    : std::span<const double>();
-  return {culprit.group, culprit.constraint, find_assembly_error(m, state, settings),
+  return {culprit.group, culprit.constraint, find_assembly_error(m, state),
           find_table_lock(m, culprit.constraint, followed_to)};
 }
 
