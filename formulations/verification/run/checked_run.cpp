@@ -155,9 +155,8 @@ class CheckedRun final : Observer {
     return true;
   }
 
-  /// Solves all remaining rows, each by a step from the one before. None is interpolated, whatever
-  /// the stride, since the motion was hard to follow. from: the first row is assembled from the
-  /// estimate, or reached by a step from the last one.
+  /// Solves all remaining rows by steps, none by interpolation: the motion was hard to follow.
+  /// - from: what the first row starts from, the estimate (assembly) or the last row (a step)
   void go_on(From from) {
     const auto next = [&] { return tried_ + static_cast<int>(waiting_.size()); };
     while (next() < grid_.instants && summary_.ok() && !summary_.refused && !summary_.stopped) {
