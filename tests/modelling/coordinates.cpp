@@ -69,7 +69,7 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
 
 /// Adds the angle of every line of every body from the x axis, both ways round, and from the
 /// line before it.
-std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
+std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& mechanism) {
   std::vector<Mechanism::Coordinate> added;
   const auto measure = [&](const Mechanism::Direction& of, const Mechanism::Direction& from) {
     Mechanism::Coordinate c;
@@ -80,8 +80,8 @@ std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
     added.push_back(c);
   };
   Mechanism::Direction before{};
-  for (std::size_t b = 1; b < d.bodies.size(); ++b) {
-    const std::vector<int>& points = d.bodies[b].points;
+  for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
+    const std::vector<int>& points = mechanism.bodies[b].points;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const Mechanism::Direction now = line(points[i - 1], points[i]);
       measure(now, {});
@@ -90,7 +90,7 @@ std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
       before = now;
     }
   }
-  d.coordinates.insert(d.coordinates.end(), added.begin(), added.end());
+  mechanism.coordinates.insert(mechanism.coordinates.end(), added.begin(), added.end());
   return added;
 }
 
@@ -102,7 +102,7 @@ TEST(Coordinates, EveryPlanarBodyIsMeasuredAgainOverTheWholeMotion) {
     ++mechanisms;
     SCOPED_TRACE(scene.mechanism.name);
     const auto added = measure_all_angles(scene.mechanism);
-    const Mechanism& d = scene.mechanism;
+    const Mechanism& mechanism = scene.mechanism;
     const Model m = make_model(scene);
     for (const Constraint& c : m.constraints)
       visit_kind(c.kind, [&](auto kind) {
@@ -116,7 +116,8 @@ TEST(Coordinates, EveryPlanarBodyIsMeasuredAgainOverTheWholeMotion) {
       for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
         const auto direction = [&](const Mechanism::Direction& e, bool rate) -> Vec {
           if (!e.is_given()) return rate ? Vec{} : Vec{1, 0, 0};
-          const std::string &from = d.points[e.from].name, &to = d.points[e.to].name;
+          const std::string &from = mechanism.points[e.from].name,
+                            &to = mechanism.points[e.to].name;
           return rate ? s.velocity(k, to) - s.velocity(k, from)
                       : s.position(k, to) - s.position(k, from);
         };

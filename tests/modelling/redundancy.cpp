@@ -11,8 +11,8 @@ namespace desmo::redundancy_test {
 namespace {
 
 TEST(Redundant, ParallelogramWithThreeCranksIsAcceptedAndReported) {
-  const Mechanism d = parallelogram({0, 2, 5});
-  const ModellingResult modelled = model_mechanism(d, turning);
+  const Mechanism mechanism = parallelogram({0, 2, 5});
+  const ModellingResult modelled = model_mechanism(mechanism, turning);
   const Model& m = modelled.model;
   EXPECT_EQ(m.structural_groups(), 1);
   EXPECT_EQ(m.groups[0].bodies,
