@@ -39,15 +39,15 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   d.along("backward", S, D, x);
   d.component("Px", P, 0);
   d.component("Py", P, 1);
-  const Mechanism described = d.release_pinned();
-  const Solved s(described, turning, instants(2));
-  expect_rigid_bodies(described, s, 1e-10);
+  const Mechanism mechanism = d.release_pinned();
+  const Solved s(mechanism, turning, instants(2));
+  expect_rigid_bodies(mechanism, s, 1e-10);
   for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
-    const auto at = [&](int p) { return s.position(k, described.points[p].name); };
+    const auto at = [&](int p) { return s.position(k, mechanism.points[p].name); };
     const auto direction = [&](const Mechanism::Direction& e) -> Vec {
       if (!e.is_given()) return {1, 0, 0};
       if (e.is_line()) return at(e.to) - at(e.from);
-      return s.position(k, described.vectors[e.vector].name);
+      return s.position(k, mechanism.vectors[e.vector].name);
     };
     expect_near(at(B), polar(1, 1 + s.time(k)), 1e-12, "B");
     for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -196,7 +196,7 @@ TEST(Coordinates, DistanceAlongASlideLeavesItBesideTheLineAsItIsDrawn) {
 
 TEST(Coordinates, AnyOfThemCanDrive) {
   // The same four-bar in the same motion, driven by what another coordinate of it measured.
-  const auto described = [](const std::string& driver) {
+  const auto driven_by = [](const std::string& driver) {
     Sketch d = four_bar_sketch();
     d.distance("BD", 2, 1);
     d.angle("mu", line(2, 3), line(0, 2));     // B-C from A-B
@@ -206,10 +206,10 @@ TEST(Coordinates, AnyOfThemCanDrive) {
     return driven(d.release_pinned(), {driver});
   };
   const double t = 0.2;
-  const Solved expected(described("theta"), turning, std::vector{t});
+  const Solved expected(driven_by("theta"), turning, std::vector{t});
   for (const char* driver : {"psi", "BD", "mu", "gamma", "Cx", "By"}) {
     const double value = expected.scalar(0, driver);
-    Solved actual(described(driver), {Polynomial{{value}}}, std::vector{0.0});
+    Solved actual(driven_by(driver), {Polynomial{{value}}}, std::vector{0.0});
     for (const char* name : {"B", "C"})
       expect_near(actual.position(0, name), expected.position(0, name), 1e-10,
                   name + std::string(" driven by ") + driver);

@@ -137,10 +137,10 @@ TEST(Frame, IsTurnedBySharedVectorsThatAreApart) {
               T = d.point("T", {3, 1, 2});
     const int a = d.body("a", {P, Q, R}, {u, v}), b = d.body("b", {P, S, T}, {u, v});
     d.joint(JointType::revolute, a, b, {P}, {u});
-    const Mechanism described = d.release();
+    const Mechanism mechanism = d.release();
     const Structure together{{{{1, 2}, {}}}, {-1, 0, 0}};
     const FramedMechanism framed =
-        put_frames(described, find_rigid_bodies(described), together, Modelling::reference);
+        put_frames(mechanism, find_rigid_bodies(mechanism), together, Modelling::reference);
     EXPECT_EQ(framed.vectors.size(), share < 1 ? 2u : 3u);
   }
 }

@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, Guise, testing::Values(0, 1, 2), [](const auto
 TEST(Invariance, ADriverOfASharedPointIsThatOfTheFirstBodyThatCarriesIt) {
   // B is on crank and coupler. Listed first, the crank is driven and a group of its own; listed
   // second, it is solved with the coupler. The motion is the same.
-  const auto described = [](bool crank_first) {
+  const auto mechanism = [](bool crank_first) {
     Sketch d("by abscissa", 2);
     const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
     const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
@@ -221,7 +221,7 @@ TEST(Invariance, ADriverOfASharedPointIsThatOfTheFirstBodyThatCarriesIt) {
   };
   const std::vector<Motion> abscissa{Polynomial{{std::cos(1.0), -0.5}}};
   const std::vector<double> times = instants(0.5);
-  const Solved a(described(true), abscissa, times), b(described(false), abscissa, times);
+  const Solved a(mechanism(true), abscissa, times), b(mechanism(false), abscissa, times);
   EXPECT_EQ(a.model().structural_groups(), 2);
   EXPECT_EQ(a.model().groups[0].bodies, std::vector<std::string>{"crank"});
   EXPECT_EQ(b.model().structural_groups(), 1);

@@ -163,11 +163,11 @@ TEST(Refused, SpatialAngleFromASegmentOrBetweenDirectionsThatAreNotNormal) {
             oblique = d.ground_vector("oblique", {0.5, 0, std::sqrt(0.75)});
   d.body("arm", {O, P}, {y});
   d.spatial_angle("phi", line(O, P), x, oblique).driven = true;
-  Mechanism described = d.release_pinned({y});
-  expect_refused(described, turning, {"'phi'"});
-  described.coordinates[0].from = line(O, X);
-  described.coordinates[0].towards = line(O, Z);
-  expect_refused(described, turning, {"'phi'"});
+  Mechanism mechanism = d.release_pinned({y});
+  expect_refused(mechanism, turning, {"'phi'"});
+  mechanism.coordinates[0].from = line(O, X);
+  mechanism.coordinates[0].towards = line(O, Z);
+  expect_refused(mechanism, turning, {"'phi'"});
 }
 
 /// A crank and two bodies between its end A and a point B, each with a shape of its own, in the
