@@ -30,7 +30,7 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
     const PartInLanes& part = parts_.emplace_back(put_in_lanes(parts, i, table));
     // A part that is solved lane by lane may start from any of its unknowns.
     PartInputs inputs{.predicted = part.unknowns, .unwrapped = {}, .others = {}, .drivers = {}};
-    if (part.together) inputs = part.members[0]->inputs(std::move(inputs));
+    if (part.together) inputs = part.solvers[0]->inputs(std::move(inputs));
     std::ranges::copy(inputs.predicted, std::back_inserter(predicted));
     std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped));
   }
@@ -42,14 +42,14 @@ SegmentsInLanes::PartInLanes SegmentsInLanes::put_in_lanes(std::vector<Parts>& p
                                                            std::size_t index,
                                                            const KernelTable& table) const {
   PartInLanes part{.unknowns = parts[0][index].definition.unknowns};
-  std::vector<ExplicitPart*> members;
+  std::vector<ExplicitPart*> equal_parts;
   for (Parts& of_lane : parts) {
-    part.members.push_back(std::move(of_lane[index].solver));
-    members.push_back(dynamic_cast<ExplicitPart*>(part.members.back().get()));
+    part.solvers.push_back(std::move(of_lane[index].solver));
+    equal_parts.push_back(dynamic_cast<ExplicitPart*>(part.solvers.back().get()));
   }
-  if (const ExplicitPart* const any = members.front())
+  if (const ExplicitPart* const any = equal_parts.front())
     if (const LaneKernel* k = table.find_lane_kernel(any->kernel().fingerprint, lanes_))
-      part.together.emplace(*k, std::move(members),
+      part.together.emplace(*k, std::move(equal_parts),
                             std::vector<int>(any->places().begin(), any->places().end()));
   return part;
 }
@@ -94,7 +94,7 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
 bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
   int steps = 1;
   for (int l = 0; l < lanes_; ++l) {
-    for (const PartInLanes& part : parts_) part.members[l]->forget();
+    for (const PartInLanes& part : parts_) part.solvers[l]->forget();
     alone_ = first;
     if (!solve_alone(l, alone_, first.q)) return false;  // this finds the branches
     for (std::size_t k = 0; k < alone_.q.size(); ++k)  // constant coordinates are not solved again
@@ -128,7 +128,7 @@ bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first
 
 bool SegmentsInLanes::solve_alone(int lane, State& state, std::span<const double> last) {
   for (const PartInLanes& part : parts_)
-    if (part.members[lane]->solve(state, last, Level::position).status != Status::solved)
+    if (part.solvers[lane]->solve(state, last, Level::position).status != Status::solved)
       return false;
   return true;
 }
@@ -182,7 +182,7 @@ void SegmentsInLanes::solve_lane(PartInLanes& part, int lane, StepInLanes& step)
   }
   if (part.together)
     for (const int k : part.unknowns) alone_.q[k] = last_alone_[k];
-  const PartResult r = part.members[lane]->solve(alone_, last_alone_, Level::acceleration);
+  const PartResult r = part.solvers[lane]->solve(alone_, last_alone_, Level::acceleration);
   step.ok = step.ok && r.status == Status::solved;
   step.iterations = std::max(step.iterations, r.iterations);
   residual2_[lane] += r.residual2;

@@ -37,7 +37,7 @@ class SegmentsInLanes final : public SegmentExecutor {
  private:
   /// A moving part, with a solver for each lane.
   struct PartInLanes {
-    std::vector<std::unique_ptr<Part>> members{};
+    std::vector<std::unique_ptr<Part>> solvers{};
     std::vector<int> unknowns;
     // code for all lanes; nothing: it is solved lane by lane
     std::optional<KernelBatch> together{};
