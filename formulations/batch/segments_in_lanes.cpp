@@ -20,7 +20,7 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
       residual2_(lanes_),
       changes_(lanes_) {
   const std::size_t size = model_.state_size();
-  entered_.resize(size * lanes_);
+  first_positions_.resize(size * lanes_);
   alone_.resize(size);
   last_alone_.resize(size);
 
@@ -57,7 +57,7 @@ SegmentsInLanes::PartInLanes SegmentsInLanes::put_in_lanes(std::vector<Parts>& p
 std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request& request,
                                             State& state, Observer& observer) {
   const int length = (grid.instants + lanes_ - 1) / lanes_;
-  if (length < min_segment || !enter(grid, length, state)) return {};
+  if (length < min_segment || !continue_to_segments(grid, length, state)) return {};
   requested_ = requested_coordinates(request, model_.coordinates());
   for (int& coordinate : requested_) coordinate *= lanes_;
   beyond_.resize(requested_.size());
@@ -72,7 +72,7 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
     const StepInLanes step = solve();
     if (!step.ok) return {};
     max_residual2 = std::max(max_residual2, *std::ranges::max_element(residual2_));
-    if (i == 0) entered_ = state_.now().q;
+    if (i == 0) first_positions_ = state_.now().q;
     if (i == length) break;
     total.iterations += static_cast<long>(step.iterations) * lanes_;
     total.updates += step.updates * lanes_;
@@ -91,7 +91,7 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
 /// Moves all lanes at once from the first instant of the motion to the beginnings of their
 /// segments, by continuation in equal steps. Rates are those of a way that takes a unit of time.
 /// Returns false where a lane would need shorter steps or cannot be continued.
-bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
+bool SegmentsInLanes::continue_to_segments(const TimeGrid& grid, int length, const State& first) {
   int steps = 1;
   for (int l = 0; l < lanes_; ++l) {
     for (const PartInLanes& part : parts_) part.solvers[l]->forget();
@@ -197,7 +197,7 @@ bool SegmentsInLanes::meet() const {
   for (int l = 0; l + 1 < lanes_; ++l) {
     for (std::size_t k = 0; k < coordinates; ++k) {
       ended[k] = state_.now().q[k * lanes_ + l];
-      begun[k] = entered_[k * lanes_ + l + 1];
+      begun[k] = first_positions_[k * lanes_ + l + 1];
     }
     if (!segments_meet(model_, ended, begun)) return false;
   }
