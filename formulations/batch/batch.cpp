@@ -116,7 +116,7 @@ std::vector<int> Batch::drivers() const {
 
 /// Returns the positions in the state of all numbers but unknowns and drivers. Subsystems that are
 /// solved alone read more than kernels do.
-std::vector<int> Batch::reads() const {
+std::vector<int> Batch::inputs() const {
   std::vector<int> all;
   for (const std::vector<int>& of_lane : places_)
     for (int n = 0; n < static_cast<int>(of_lane.size()); ++n)

@@ -89,7 +89,7 @@ PartInputs BatchPart::inputs(PartInputs) const {
   };
   for (const Batch& batch : batches_) {
     append(batch.drivers(), all.drivers);
-    append(batch.reads(), all.others);
+    append(batch.inputs(), all.others);
   }
   if (left_over_)
     for (const auto& part : *left_over_) {
