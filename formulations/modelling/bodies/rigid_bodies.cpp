@@ -53,14 +53,14 @@ Basis choose_basis(const Mechanism& mechanism, const RigidBody& body) {
   Basis basis;
   std::vector<Vec> orthonormal;
   if (!body.points.empty()) basis.origin = body.points.front();
-  const auto add = [&](double min_sine, std::size_t at_most) {
+  const auto add = [&](double min_sine, std::size_t max_directions) {
     for (const int v : body.vectors)
-      if (!follows_from_points(mechanism, body, v) && orthonormal.size() < at_most &&
+      if (!follows_from_points(mechanism, body, v) && orthonormal.size() < max_directions &&
           !basis.has_vector(v) && extend(orthonormal, drawing.direction(body, {v}), min_sine))
         basis.directions.push_back({v});
     for (const int p : body.points) {
       const Mechanism::Direction line{-1, basis.origin, p};
-      if (orthonormal.size() < at_most && !basis.has_point(p) &&
+      if (orthonormal.size() < max_directions && !basis.has_point(p) &&
           extend(orthonormal, drawing.direction(body, line), min_sine))
         basis.directions.push_back(line);
     }
