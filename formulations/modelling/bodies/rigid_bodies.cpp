@@ -81,10 +81,11 @@ int count_freedoms(int dimension, const Basis& basis) {
 }
 
 /// Limits of a length, in any unit: its square is a normal number in double precision.
-constexpr double shortest = 1e-152, longest = 1e152;
+constexpr double min_length = 1e-152, max_length = 1e152;
 
 void require_representable(double length, const std::string& body) {
-  if (length == 0 || !std::isfinite(length) || (length >= shortest && length <= longest)) return;
+  if (length == 0 || !std::isfinite(length) || (length >= min_length && length <= max_length))
+    return;
   throw std::invalid_argument(
       "body '" + body +
       formatted(

@@ -123,11 +123,11 @@ class TreeMaker {
     const Drawing<double> drawing{mechanism_};
     if (j.type == Mechanism::JointType::universal)
       return std::abs(dot(drawing.vector(j.vectors[0]), drawing.vector(j.vectors[1]))) <=
-             same_direction;
+             direction_tolerance;
     if (mechanism_.dimension == 3 || !slides(j.type)) return true;
     const auto u = drawing.vector(j.vectors[0]), s = drawing.direction(j.line());
     const double off = std::abs(u[0] * s[1] - u[1] * s[0]);
-    return off <= same_direction * std::max(1e-300, nominal::extent(mechanism_));
+    return off <= direction_tolerance * std::max(1e-300, nominal::extent(mechanism_));
   }
 
   int joints_of(int r) const {
