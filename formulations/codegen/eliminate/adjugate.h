@@ -13,9 +13,9 @@ namespace desmo::generate {
 class Adjugate {
  public:
   /// Limits of the number n of equations.
-  static constexpr std::size_t min_equations = 2, max_equations = 3;
+  static constexpr std::size_t min_size = 2, max_size = 3;
 
-  /// Records the inverse of an (n × n) matrix, min_equations ≤ n ≤ max_equations. Throws
+  /// Records the inverse of an (n × n) matrix, min_size ≤ n ≤ max_size. Throws
   /// std::invalid_argument when it is structurally singular.
   explicit Adjugate(const std::vector<std::vector<Expr>>& matrix);
 

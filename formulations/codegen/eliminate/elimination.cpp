@@ -132,8 +132,7 @@ Elimination::Elimination(SparseRows rows, SampleNumbers at, Unsound unsound) : a
     const PivotChoice pivot = choose_pivot(rows, at_, unsound);
     if (pivot.row < 0) throw std::invalid_argument("the Jacobian is structurally singular");
     const std::size_t open = n - steps_.size();
-    if (!pivot.is_sound && !mark && open >= Adjugate::min_equations &&
-        open <= Adjugate::max_equations)
+    if (!pivot.is_sound && !mark && open >= Adjugate::min_size && open <= Adjugate::max_size)
       mark.emplace(Mark{rows, *this});
     if (mark && pivot.size.share < min_share) {
       *this = std::move(mark->elimination);
