@@ -66,14 +66,14 @@ class Sketch : public MechanismBuilder {
   /// Returns the mechanism, in which bodies that share a point turn about it, and about these
   /// vectors in space: each body is joined to the one before it.
   Mechanism release_pinned(const std::vector<int>& axis = {}) {
-    Mechanism d = release();
-    std::vector<int> last(d.points.size(), -1);
-    for (int b = 0; b < static_cast<int>(d.bodies.size()); ++b)
-      for (const int p : d.bodies[b].points)
+    Mechanism mechanism = release();
+    std::vector<int> last(mechanism.points.size(), -1);
+    for (int b = 0; b < static_cast<int>(mechanism.bodies.size()); ++b)
+      for (const int p : mechanism.bodies[b].points)
         if (const int before = std::exchange(last[p], b); before >= 0)
-          d.joints.push_back({{}, JointType::revolute, {before, b}, {p}, axis});
-    name_joints(d);
-    return d;
+          mechanism.joints.push_back({{}, JointType::revolute, {before, b}, {p}, axis});
+    name_joints(mechanism);
+    return mechanism;
   }
 
   /// In space: of the projection onto the plane of vectors `from` and `towards`.
@@ -106,8 +106,9 @@ class Solved {
       qdd_.emplace_back(f->qdd().begin(), f->qdd().end());
     }
   }
-  Solved(const Mechanism& d, const std::vector<Motion>& motions, std::span<const double> times)
-      : Solved(model_mechanism(d, motions).model, times) {}
+  Solved(const Mechanism& mechanism, const std::vector<Motion>& motions,
+         std::span<const double> times)
+      : Solved(model_mechanism(mechanism, motions).model, times) {}
 
   const Model& model() const { return m_; }
   int instants() const { return static_cast<int>(q_.size()); }
@@ -160,32 +161,33 @@ inline std::vector<double> instants(double end, double step = 0.01) {
 
 /// Expects a body to be rigid at an instant: distances, scalar products and handedness equal those
 /// of the nominal position. They are recomputed from points and vectors, not from the equations.
-inline void expect_rigid(const Mechanism& d, const std::vector<int>& points,
+inline void expect_rigid(const Mechanism& mechanism, const std::vector<int>& points,
                          const std::vector<int>& vectors, const Solved& solved, int instant,
                          double tolerance) {
   std::vector<std::pair<Vec, Vec>> directions;  // nominal and solved
   std::vector<std::string> names;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j) {
-      const auto &p = d.points[points[i]], &q = d.points[points[j]];
+      const auto &p = mechanism.points[points[i]], &q = mechanism.points[points[j]];
       directions.emplace_back(q.position - p.position,
                               solved.position(instant, q.name) - solved.position(instant, p.name));
       names.push_back(p.name + "-" + q.name);
     }
   for (const int v : vectors) {
-    directions.emplace_back(d.vectors[v].direction, solved.position(instant, d.vectors[v].name));
-    names.push_back(d.vectors[v].name);
+    directions.emplace_back(mechanism.vectors[v].direction,
+                            solved.position(instant, mechanism.vectors[v].name));
+    names.push_back(mechanism.vectors[v].name);
   }
   for (std::size_t i = 0; i < directions.size(); ++i)
     for (std::size_t j = i; j < directions.size(); ++j) {
       const auto& [a, a_now] = directions[i];
       const auto& [b, b_now] = directions[j];
       EXPECT_NEAR(dot(a_now, b_now), dot(a, b), tolerance) << names[i] << " · " << names[j];
-      if (d.dimension == 2) {
+      if (mechanism.dimension == 2) {
         EXPECT_NEAR(cross(a_now, b_now)[2], cross(a, b)[2], tolerance)
             << names[i] << " × " << names[j];
       }
-      for (std::size_t k = j; d.dimension == 3 && k < directions.size(); ++k)
+      for (std::size_t k = j; mechanism.dimension == 3 && k < directions.size(); ++k)
         EXPECT_NEAR(dot(cross(a_now, b_now), directions[k].second),
                     dot(cross(a, b), directions[k].first), tolerance)
             << names[i] << " × " << names[j] << " · " << names[k];
@@ -193,18 +195,19 @@ inline void expect_rigid(const Mechanism& d, const std::vector<int>& points,
 }
 
 /// Expects every body with nominal dimensions to be rigid at every instant.
-inline void expect_rigid_bodies(const Mechanism& d, const Solved& solved, double tolerance) {
+inline void expect_rigid_bodies(const Mechanism& mechanism, const Solved& solved,
+                                double tolerance) {
   for (int k = 0; k < solved.instants() && !testing::Test::HasFailure(); ++k)
-    for (const Mechanism::Body& b : d.bodies) {
-      if (!b.length) expect_rigid(d, b.points, b.vectors, solved, k, tolerance);
+    for (const Mechanism::Body& b : mechanism.bodies) {
+      if (!b.length) expect_rigid(mechanism, b.points, b.vectors, solved, k, tolerance);
     }
 }
 
 /// Expects modelling to throw std::invalid_argument with a message that contains all `parts`.
-inline void expect_refused(const Mechanism& d, const std::vector<Motion>& motions,
+inline void expect_refused(const Mechanism& mechanism, const std::vector<Motion>& motions,
                            std::initializer_list<std::string_view> parts) {
-  const std::string said = refusal([&] { model_mechanism(d, motions); });
-  EXPECT_NE(said, "accepted") << d.name;
+  const std::string said = refusal([&] { model_mechanism(mechanism, motions); });
+  EXPECT_NE(said, "accepted") << mechanism.name;
   for (const std::string_view part : parts)
     EXPECT_NE(said.find(part), std::string::npos) << "'" << part << "' is not in: " << said;
 }

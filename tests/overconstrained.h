@@ -37,20 +37,24 @@ inline Scene bennett(long double start, int digits, long double size = 1,
   const auto all_typed = [&](const Vec& v) -> Mechanism::Vec {
     return {typed(v[0], digits), typed(v[1], digits), typed(v[2], digits)};
   };
-  MechanismBuilder d("bennett", 3);
+  MechanismBuilder builder("bennett", 3);
   Vec x{1, 0, 0}, z{0, 0, 1}, at{from_origin, from_origin, 0};
   std::array<int, 4> p, v;
   for (int i = 0; i < 4; ++i) {
-    p[i] = d.point("P" + std::to_string(i + 1), all_typed(at));
-    v[i] = d.vector("z" + std::to_string(i + 1), *unit_vector(all_typed(z)));
+    p[i] = builder.point("P" + std::to_string(i + 1), all_typed(at));
+    v[i] = builder.vector("z" + std::to_string(i + 1), *unit_vector(all_typed(z)));
     x = turned_about(z, angles[i], x);
     for (int k = 0; k < 3; ++k) at[k] += lengths[i % 2] * x[k];
     z = turned_about(x, twists[i % 2], z);
   }
-  const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
-  extremes::hinge_loop(d, "link", p, v, from, towards);
-  return {"bennett",     d.release(), {Polynomial{{static_cast<double>(start), 1}}},
-          {0, 0.05, 21}, {},          {}};
+  const int from = builder.vector("x", {1, 0, 0}), towards = builder.vector("y", {0, 1, 0});
+  extremes::hinge_loop(builder, "link", p, v, from, towards);
+  return {"bennett",
+          builder.release(),
+          {Polynomial{{static_cast<double>(start), 1}}},
+          {0, 0.05, 21},
+          {},
+          {}};
 }
 
 /// Three parallel cranks of 0.7 carry a coupler, where two would do. The third one is longer by
@@ -59,8 +63,8 @@ inline Scene parallel_cranks(long double start, int digits, bool stated, long do
                              long double size = 1, long double from_origin = 0) {
   using enum Mechanism::JointType;
   constexpr long double length = 0.7L, along = 0.3L;  // of the crank; direction of the base [rad]
-  MechanismBuilder d("parallel_cranks", 2);
-  const int coupler = d.body("coupler", {});
+  MechanismBuilder builder("parallel_cranks", 2);
+  const int coupler = builder.body("coupler", {});
   for (const auto& [number, pivot, more] :
        {std::tuple{1, 0.L, 0.L}, std::tuple{2, 2.1L, 0.L}, std::tuple{3, 4.7L, longer}}) {
     const std::string name = std::to_string(number);
@@ -68,20 +72,24 @@ inline Scene parallel_cranks(long double start, int digits, bool stated, long do
     const long double x = from_origin + size * pivot * std::cos(along),
                       y = from_origin + size * pivot * std::sin(along);
     const long double l = size * (length + more);
-    const int b = d.point("B" + name, {typed(x + size * length * c, digits),
-                                       typed(y + size * length * s, digits), 0});
-    const int a = d.point("A" + name, {typed(x + size * length * c - l * c, digits),
-                                       typed(y + size * length * s - l * s, digits), 0});
-    d.carry(MechanismBuilder::ground, {a});
-    d.carry(coupler, {b});
-    const int crank =
-        stated ? d.link("crank" + name, a, b, typed(l, digits)) : d.body("crank" + name, {a, b});
-    d.joint(revolute, MechanismBuilder::ground, crank, {a});
-    d.joint(revolute, crank, coupler, {b});
-    if (number == 1) d.angle("theta", {-1, a, b}).driven = true;
+    const int b = builder.point("B" + name, {typed(x + size * length * c, digits),
+                                             typed(y + size * length * s, digits), 0});
+    const int a = builder.point("A" + name, {typed(x + size * length * c - l * c, digits),
+                                             typed(y + size * length * s - l * s, digits), 0});
+    builder.carry(MechanismBuilder::ground, {a});
+    builder.carry(coupler, {b});
+    const int crank = stated ? builder.link("crank" + name, a, b, typed(l, digits))
+                             : builder.body("crank" + name, {a, b});
+    builder.joint(revolute, MechanismBuilder::ground, crank, {a});
+    builder.joint(revolute, crank, coupler, {b});
+    if (number == 1) builder.angle("theta", {-1, a, b}).driven = true;
   }
-  return {"parallel_cranks", d.release(), {Polynomial{{static_cast<double>(start), 1}}},
-          {0, 0.05, 21},     {},          {}};
+  return {"parallel_cranks",
+          builder.release(),
+          {Polynomial{{static_cast<double>(start), 1}}},
+          {0, 0.05, 21},
+          {},
+          {}};
 }
 
 }  // namespace desmo

@@ -20,7 +20,7 @@ constexpr double max_meant_as_zero = 1e-9;
 /// length divided by the equation's characteristic length. Drawings have some six digits.
 constexpr double max_difference = 1e-6;
 
-std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const Model& m,
+std::string note_on_offset(const Mechanism& mechanism, const Mechanism::Joint& j, const Model& m,
                            const DisplayUnits& units) {
   const bool has_normal = j.type == Mechanism::JointType::point_on_plane;
   if (!has_normal && j.type != Mechanism::JointType::revolute_on_slider) return "";
@@ -30,10 +30,10 @@ std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const 
   if (kept == m.constraints.end()) return "";
   const double offset = std::abs(kept->constants[0].value);
   if (offset <= max_meant_as_zero * CharacteristicLengths(m).of(*kept)) return "";
-  return "note: " + j.name + ": " + d.points[j.points[1]].name + " is drawn " +
+  return "note: " + j.name + ": " + mechanism.points[j.points[1]].name + " is drawn " +
          quantity(offset, units.length, "%.3g") + " off the " + (has_normal ? "plane" : "line") +
-         " through " + d.points[j.points[0]].name +
-         (has_normal ? " with the normal '" : " along '") + d.vectors[j.vectors[0]].name +
+         " through " + mechanism.points[j.points[0]].name +
+         (has_normal ? " with the normal '" : " along '") + mechanism.vectors[j.vectors[0]].name +
          "', and stays there\n";
 }
 
@@ -59,12 +59,14 @@ std::string note_on_table(const Constraint& c, const Model& m, const DisplayUnit
 
 }  // namespace
 
-std::string note_on_drawing(const Mechanism& d, const Model& m, const DisplayUnits& units) {
+std::string note_on_drawing(const Mechanism& mechanism, const Model& m, const DisplayUnits& units) {
   std::string notes;
-  for (const Mechanism::Joint& j : d.joints) notes += note_on_offset(d, j, m, units);
+  for (const Mechanism::Joint& j : mechanism.joints)
+    notes += note_on_offset(mechanism, j, m, units);
   // Where a body has a frame or a length of its own, the drawing is an estimate: a table that
   // contradicts it may be meant.
-  if (std::ranges::any_of(d.bodies, [](const auto& body) { return body.own || body.length; }))
+  if (std::ranges::any_of(mechanism.bodies,
+                          [](const auto& body) { return body.own || body.length; }))
     return notes;
   for (const Constraint& c : m.constraints)
     if (constraint_kind_name(c.kind) == TableCoupling::name) notes += note_on_table(c, m, units);

@@ -26,11 +26,11 @@ Json mechanisms() {
   for (const LibraryMechanism& found : library()) {
     const Input input = load_mechanism(std::string(found.name));
     const Model m = model_mechanism(input).model;
-    const Mechanism& d = input.scene.mechanism;
+    const Mechanism& mechanism = input.scene.mechanism;
     list.push_back({{"name", found.name},
-                    {"title", d.title},
-                    {"dimension", d.dimension},
-                    {"bodies", d.bodies.size() - 1},
+                    {"title", mechanism.title},
+                    {"dimension", mechanism.dimension},
+                    {"bodies", mechanism.bodies.size() - 1},
                     {"degrees_of_freedom", m.degrees_of_freedom()},
                     {"coordinates", m.coordinates()}});
   }

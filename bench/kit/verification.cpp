@@ -20,7 +20,7 @@ namespace {
 
 constexpr int instants_compared = 51;  // largest number of instants of a shared reference
 /// Allowed difference (≤) of two quadruple solutions, relative to the mechanism's scales.
-constexpr double highest_floor = 1e-20;
+constexpr double max_floor = 1e-20;
 
 }  // namespace
 
@@ -112,7 +112,7 @@ std::string verification_failure(const Differences& e, std::size_t expected_inst
 
 void require_agreement(const Model& m, const PerLevel<double>& floor) {
   for (const Level level : all_levels) {
-    if (floor[level] <= highest_floor) continue;
+    if (floor[level] <= max_floor) continue;
     throw std::runtime_error(m.name + ": no reference: two quadruple solutions differ by " +
                              formatted("%.1e of the scale", floor[level]));
   }

@@ -150,7 +150,7 @@ class CeresPeer final : public Peer {
 
   void step(double t) override {
     const StepHistory history{t - time_, 0, Level::acceleration};
-    Extrapolation(Guess::quadratic, history)(ranges_, state_, state_, state_.q.data());
+    Prediction(Guess::quadratic, history)(ranges_, state_, state_, state_.q.data());
     solve(t);
   }
 

@@ -23,13 +23,13 @@ double norm(const Vec& a) { return std::hypot(a[0], a[1], a[2]); }
 /// bodies are numbered as they come.
 class Builder {
  public:
-  Builder(const Scene& scene, const Model& model) : d_(scene.mechanism), model_(model) {}
+  Builder(const Scene& scene, const Model& model) : mechanism_(scene.mechanism), model_(model) {}
 
   Vec position(const std::string& point) const {
-    return entry_named(point, d_.points, "point").position;
+    return entry_named(point, mechanism_.points, "point").position;
   }
   Vec direction(const std::string& vector) const {
-    return entry_named(vector, d_.vectors, "vector").direction;
+    return entry_named(vector, mechanism_.vectors, "vector").direction;
   }
 
   /// Hangs a body on another by a joint at a point of both. Follows its points and vectors. Returns
@@ -41,7 +41,7 @@ class Builder {
     tree.bodies.push_back({parent, joint, in_frame(parent, at), axis, second_axis});
     frames_.push_back({position(at), body.length});
     for (const int p : body.points) {
-      const std::string& point = d_.points[p].name;
+      const std::string& point = mechanism_.points[p].name;
       follow(point, number, true, in_frame(number, point));
     }
     follow_vectors(name, number);
@@ -51,7 +51,7 @@ class Builder {
   /// Follows the vectors of a body of the mechanism that turns like body `body` of the tree.
   void follow_vectors(const std::string& name, int body) {
     for (const int v : body_named(name).vectors)
-      follow(d_.vectors[v].name, body, false, d_.vectors[v].direction);
+      follow(mechanism_.vectors[v].name, body, false, mechanism_.vectors[v].direction);
   }
 
   /// Joins two bodies by a rod of the mechanism, whose own vectors are not found.
@@ -97,7 +97,7 @@ class Builder {
   };
 
   const Mechanism::Body& body_named(const std::string& name) const {
-    return entry_named(name, d_.bodies, "body");
+    return entry_named(name, mechanism_.bodies, "body");
   }
 
   /// Follows an entity that is fixed to a body, unless it is at rest or followed already.
@@ -110,7 +110,7 @@ class Builder {
     tree.followed.push_back({body, is_point, in_body, entity.first, entity.size});
   }
 
-  const Mechanism& d_;
+  const Mechanism& mechanism_;
   const Model& model_;
   std::vector<Frame> frames_;  // one for each body of the tree
 };

@@ -32,12 +32,14 @@ ExtremeCase library_in(std::string_view name, std::string case_name, double step
 ExtremeCase platform_beneath(double step) {
   ExtremeCase c =
       library_in("stewart", steps("Stewart platform beneath its base", step, "s"), step, 9);
-  Mechanism& d = c.scene.mechanism;
+  Mechanism& mechanism = c.scene.mechanism;
   const auto mirror = [](Mechanism::Vec& v, auto& r) { v[2] = -v[2], r[2].correction *= -1; };
-  for (Mechanism::Point& p : d.points) mirror(p.position, p.remainder);  // the base stands at 0
-  for (const Mechanism::Body& body : d.bodies)
+  for (Mechanism::Point& p : mechanism.points)
+    mirror(p.position, p.remainder);  // the base stands at 0
+  for (const Mechanism::Body& body : mechanism.bodies)
     if (body.name.starts_with("lower"))
-      for (const int v : body.vectors) mirror(d.vectors[v].direction, d.vectors[v].remainder);
+      for (const int v : body.vectors)
+        mirror(mechanism.vectors[v].direction, mechanism.vectors[v].remainder);
   return c;
 }
 

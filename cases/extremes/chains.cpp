@@ -6,11 +6,11 @@ namespace desmo::extremes {
 
 ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector<Motion> motions,
                     const TimeGrid& grid) {
-  MechanismBuilder d("dyad_chain", 2);
-  d.set_length_unit("1");
-  for (const DyadChain& chain : chains) add(d, chain);
+  MechanismBuilder builder("dyad_chain", 2);
+  builder.set_length_unit("1");
+  for (const DyadChain& chain : chains) add(builder, chain);
   return {.name = std::move(name),
-          .scene = {"dyad_chain", d.release(), std::move(motions), grid},
+          .scene = {"dyad_chain", builder.release(), std::move(motions), grid},
           .chains = std::move(chains)};
 }
 

@@ -34,10 +34,11 @@ ExtremeCase chain_case(const std::string& lengths, const DyadChain& chain) {
 }
 
 ExtremeCase nothing_moves() {
-  MechanismBuilder d("ground", 2);
-  d.set_length_unit("1");
-  d.carry(MechanismBuilder::ground, {d.point("A", {0, 0, 0}), d.point("B", {1, 0, 0})});
-  ExtremeCase c{.name = "no group", .scene = {"ground", d.release(), {}, long_chain_grid}};
+  MechanismBuilder builder("ground", 2);
+  builder.set_length_unit("1");
+  builder.carry(MechanismBuilder::ground,
+                {builder.point("A", {0, 0, 0}), builder.point("B", {1, 0, 0})});
+  ExtremeCase c{.name = "no group", .scene = {"ground", builder.release(), {}, long_chain_grid}};
   c.is_refused = true;  // there is no unknown
   return c;
 }

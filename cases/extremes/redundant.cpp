@@ -23,23 +23,25 @@ constexpr TimeGrid redundant_grid{0, 0.02, 51};
 /// of the coupler is shifted by `off` along x.
 ExtremeCase parallel_cranks(std::string name, double off) {
   constexpr double start = 1;
-  MechanismBuilder d("parallel_cranks", 2);
-  d.set_length_unit("1");
-  const int coupler = d.body("coupler", {});
+  MechanismBuilder builder("parallel_cranks", 2);
+  builder.set_length_unit("1");
+  const int coupler = builder.body("coupler", {});
   for (const auto& [number, pivot, shift] :
        {std::tuple{1, 0.0, 0.0}, std::tuple{2, 2.0, off}, std::tuple{3, 5.0, 0.0}}) {
     const std::string name_of = std::to_string(number);
-    const int a = d.point("A" + name_of, {pivot, 0, 0});
-    const int b = d.point("B" + name_of, {pivot + std::cos(start) + shift, std::sin(start), 0});
-    d.carry(MechanismBuilder::ground, {a});
-    d.carry(coupler, {b});
-    const int crank = d.link("crank" + name_of, a, b, 1);
-    d.joint(revolute, MechanismBuilder::ground, crank, {a});
-    d.joint(revolute, crank, coupler, {b});
-    if (number == 1) d.angle("theta", {-1, a, b}).driven = true;
+    const int a = builder.point("A" + name_of, {pivot, 0, 0});
+    const int b =
+        builder.point("B" + name_of, {pivot + std::cos(start) + shift, std::sin(start), 0});
+    builder.carry(MechanismBuilder::ground, {a});
+    builder.carry(coupler, {b});
+    const int crank = builder.link("crank" + name_of, a, b, 1);
+    builder.joint(revolute, MechanismBuilder::ground, crank, {a});
+    builder.joint(revolute, crank, coupler, {b});
+    if (number == 1) builder.angle("theta", {-1, a, b}).driven = true;
   }
-  return {.name = std::move(name),
-          .scene = {"parallel_cranks", d.release(), {Polynomial{{start, 1}}}, redundant_grid}};
+  return {
+      .name = std::move(name),
+      .scene = {"parallel_cranks", builder.release(), {Polynomial{{start, 1}}}, redundant_grid}};
 }
 
 /// Makes Bricard's mechanism with right angles: six edges of a cube, hinged at its corners. The
@@ -50,60 +52,62 @@ ExtremeCase bricard(std::string name, double off) {
   // Each axis is at right angles to both edges that it joins.
   constexpr std::array<Vec, 6> axes{
       {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
-  MechanismBuilder d("bricard", 3);
-  d.set_length_unit("1");
+  MechanismBuilder builder("bricard", 3);
+  builder.set_length_unit("1");
   std::array<int, 6> p, v;
   for (int i = 0; i < 6; ++i) {
-    p[i] = d.point("P" + std::to_string(i + 1), corners[i]);
-    v[i] = d.vector("v" + std::to_string(i + 1), axes[i]);
+    p[i] = builder.point("P" + std::to_string(i + 1), corners[i]);
+    v[i] = builder.vector("v" + std::to_string(i + 1), axes[i]);
   }
-  const int from = d.vector("x", {1, 0, 0}), towards = d.vector("minus_z", {0, 0, -1});
-  hinge_loop(d, "edge", p, v, from, towards);
+  const int from = builder.vector("x", {1, 0, 0}), towards = builder.vector("minus_z", {0, 0, -1});
+  hinge_loop(builder, "edge", p, v, from, towards);
   return {.name = std::move(name),
-          .scene = {"bricard", d.release(), {Polynomial{{0, 0.5}}}, redundant_grid}};
+          .scene = {"bricard", builder.release(), {Polynomial{{0, 0.5}}}, redundant_grid}};
 }
 
 /// Makes Bennett's mechanism, drawn with its crank at `start` [rad]. Where the crank is folded, at
 /// π, some of the equations do not tell how the mechanism moves on.
 ExtremeCase bennett(std::string name, double start, Polynomial motion, double tolerance = 1e-12) {
-  MechanismBuilder d("bennett", 3);
-  d.set_length_unit("1");
-  add_linkage(d, bennett_links(start, 1, 0.7, 1.6));
-  return {.name = std::move(name),
-          .scene = {"bennett", d.release(), {std::move(motion)}, redundant_grid, {}, {}, tolerance},
-          .factor = 100};  // wider than usual: equations near the folded position are dependent
+  MechanismBuilder builder("bennett", 3);
+  builder.set_length_unit("1");
+  add_linkage(builder, bennett_links(start, 1, 0.7, 1.6));
+  return {
+      .name = std::move(name),
+      .scene =
+          {"bennett", builder.release(), {std::move(motion)}, redundant_grid, {}, {}, tolerance},
+      .factor = 100};  // wider than usual: equations near the folded position are dependent
 }
 
 }  // namespace
 
-void hinge_loop(MechanismBuilder& d, const std::string& body, std::span<const int> corners,
+void hinge_loop(MechanismBuilder& builder, const std::string& body, std::span<const int> corners,
                 std::span<const int> axes, int from, int towards) {
   const std::size_t n = corners.size();
-  d.carry(MechanismBuilder::ground, {corners[n - 1], corners[0]},
-          {axes[n - 1], axes[0], from, towards});
+  builder.carry(MechanismBuilder::ground, {corners[n - 1], corners[0]},
+                {axes[n - 1], axes[0], from, towards});
   std::vector<int> bodies;
   for (std::size_t i = 0; i + 1 < n; ++i)
-    bodies.push_back(
-        d.body(body + std::to_string(i + 1), {corners[i], corners[i + 1]}, {axes[i], axes[i + 1]}));
+    bodies.push_back(builder.body(body + std::to_string(i + 1), {corners[i], corners[i + 1]},
+                                  {axes[i], axes[i + 1]}));
   bodies.push_back(MechanismBuilder::ground);
   for (std::size_t i = 0; i < n; ++i)
-    d.joint(revolute, bodies[(i + n - 1) % n], bodies[i], {corners[i]}, {axes[i]});
-  d.angle("theta", {-1, corners[0], corners[1]}, {from}, {towards}).driven = true;
+    builder.joint(revolute, bodies[(i + n - 1) % n], bodies[i], {corners[i]}, {axes[i]});
+  builder.angle("theta", {-1, corners[0], corners[1]}, {from}, {towards}).driven = true;
 }
 
-Mechanism::Vec add_linkage(MechanismBuilder& d, std::span<const HingedLink> links) {
+Mechanism::Vec add_linkage(MechanismBuilder& builder, std::span<const HingedLink> links) {
   Vec x{1, 0, 0}, z{0, 0, 1}, at{};
   std::vector<int> p, v;
   for (const auto& [angle, length, twist] : links) {
     const std::string number = std::to_string(p.size() + 1);
-    p.push_back(d.point("P" + number, at));
-    v.push_back(d.vector("z" + number, z));
+    p.push_back(builder.point("P" + number, at));
+    v.push_back(builder.vector("z" + number, z));
     x = turned_about(z, angle, x);
     for (int k = 0; k < 3; ++k) at[k] += length * x[k];
     z = turned_about(x, twist, z);
   }
-  const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
-  hinge_loop(d, "link", p, v, from, towards);
+  const int from = builder.vector("x", {1, 0, 0}), towards = builder.vector("y", {0, 1, 0});
+  hinge_loop(builder, "link", p, v, from, towards);
   return at;
 }
 

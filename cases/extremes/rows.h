@@ -40,7 +40,7 @@ DyadChain one_dyad(double crank, double start, double pivot, double coupler, dou
 /// - body: name of the bodies, to which their numbers are added
 /// - corners, axes: indices of points and vectors, two or more, as many of either
 /// - from, towards: indices of vectors, which the ground is made to carry
-void hinge_loop(MechanismBuilder& mechanism, const std::string& body, std::span<const int> corners,
+void hinge_loop(MechanismBuilder& builder, const std::string& body, std::span<const int> corners,
                 std::span<const int> axes, int from, int towards);
 
 /// A link of a loop in parameters of Denavit and Hartenberg: angle at its hinge [rad], distance to
@@ -52,7 +52,7 @@ struct HingedLink {
 /// Adds a loop of links by hinge_loop(). It is drawn from the origin on: its first axis is z, its
 /// first angle counts from x. Returns the end of the last link, which is the origin up to rounding
 /// if the links close.
-Mechanism::Vec add_linkage(MechanismBuilder& mechanism, std::span<const HingedLink> links);
+Mechanism::Vec add_linkage(MechanismBuilder& builder, std::span<const HingedLink> links);
 
 /// Returns Bennett's linkage: opposite links are equal, and a / sin α = b / sin β.
 /// - start: angle of the first hinge [rad]

@@ -38,27 +38,27 @@ ExtremeCase both() {
 /// - arm: its length [m]; rate: its angular velocity [rad/s]
 ExtremeCase on_arm(std::string name, double arm, double rate = 1e-7) {
   constexpr double crank = 0.02, link = 0.06, start = 1;
-  MechanismBuilder d("four_bar_on_arm", 2);
+  MechanismBuilder builder("four_bar_on_arm", 2);
   const double bx = arm + crank * std::cos(start), by = crank * std::sin(start);
   const double dx = arm + link - bx, dy = -by, half = std::hypot(dx, dy) / 2;
   const double height = std::sqrt(link * link - half * half) / (2 * half);
-  const int o = d.point("O", {}), a = d.point("A", {arm}), e = d.point("D", {arm + link}),
-            b = d.point("B", {bx, by}),
-            c = d.point("C", {bx + dx / 2 - height * dy, by + dy / 2 + height * dx});
-  d.carry(MechanismBuilder::ground, {o});
-  const int bodies[] = {d.body("arm", {o, a, e}), d.body("crank", {a, b}),
-                        d.body("coupler", {b, c}), d.body("rocker", {e, c})};
+  const int o = builder.point("O", {}), a = builder.point("A", {arm}),
+            e = builder.point("D", {arm + link}), b = builder.point("B", {bx, by}),
+            c = builder.point("C", {bx + dx / 2 - height * dy, by + dy / 2 + height * dx});
+  builder.carry(MechanismBuilder::ground, {o});
+  const int bodies[] = {builder.body("arm", {o, a, e}), builder.body("crank", {a, b}),
+                        builder.body("coupler", {b, c}), builder.body("rocker", {e, c})};
   using enum Mechanism::JointType;
-  d.joint(revolute, MechanismBuilder::ground, bodies[0], {o});
-  d.joint(revolute, bodies[0], bodies[1], {a});
-  d.joint(revolute, bodies[1], bodies[2], {b});
-  d.joint(revolute, bodies[2], bodies[3], {c});
-  d.joint(revolute, bodies[0], bodies[3], {e});
-  d.angle("alpha", {-1, o, a}).driven = true;
-  d.angle("theta", {-1, a, b}).driven = true;
+  builder.joint(revolute, MechanismBuilder::ground, bodies[0], {o});
+  builder.joint(revolute, bodies[0], bodies[1], {a});
+  builder.joint(revolute, bodies[1], bodies[2], {b});
+  builder.joint(revolute, bodies[2], bodies[3], {c});
+  builder.joint(revolute, bodies[0], bodies[3], {e});
+  builder.angle("alpha", {-1, o, a}).driven = true;
+  builder.angle("theta", {-1, a, b}).driven = true;
   return {.name = std::move(name),
           .scene = {"four_bar_on_arm",
-                    d.release(),
+                    builder.release(),
                     {Polynomial{{0, rate}}, Polynomial{{start, 1}}},
                     scale_grid},
           // Widens the bound: coordinates as large as the arm are rounded coarsely.

@@ -28,8 +28,8 @@ DyadChain aligned(int dyads) {
   return chain;
 }
 
-const Mechanism::Vec& point(const Mechanism& d, const std::string& name) {
-  return std::ranges::find(d.points, name, &Mechanism::Point::name)->position;
+const Mechanism::Vec& point(const Mechanism& mechanism, const std::string& name) {
+  return std::ranges::find(mechanism.points, name, &Mechanism::Point::name)->position;
 }
 
 /// Returns the length [m] of a leg of the Stewart platform after a rotation about the vertical

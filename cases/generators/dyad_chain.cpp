@@ -9,30 +9,30 @@ Mechanism::Vec crank_pin(const DyadChain& chain) {
   return {chain.crank * std::cos(chain.start), chain.crank * std::sin(chain.start), 0};
 }
 
-void add(MechanismBuilder& d, const DyadChain& chain) {
+void add(MechanismBuilder& builder, const DyadChain& chain) {
   using enum Mechanism::JointType;
   const std::string crank = chain.prefix + "crank";
-  const int a = d.point(crank + "/A", {0, 0, 0});
-  int b = d.point(crank + "/B", crank_pin(chain));
-  d.carry(MechanismBuilder::ground, {a});
-  int before = d.link(crank, a, b, chain.crank);
-  d.joint(revolute, MechanismBuilder::ground, before, {a});
-  Mechanism::Coordinate& theta = d.angle(crank + "/theta", {-1, a, b});
+  const int a = builder.point(crank + "/A", {0, 0, 0});
+  int b = builder.point(crank + "/B", crank_pin(chain));
+  builder.carry(MechanismBuilder::ground, {a});
+  int before = builder.link(crank, a, b, chain.crank);
+  builder.joint(revolute, MechanismBuilder::ground, before, {a});
+  Mechanism::Coordinate& theta = builder.angle(crank + "/theta", {-1, a, b});
   theta.estimate = chain.start;
   theta.driven = true;
 
   for (std::size_t k = 0; k < chain.dyads.size(); ++k) {
     const DyadChain::Dyad& dyad = chain.dyads[k];
     const std::string name = chain.prefix + "dyad" + std::to_string(k + 1) + "/";
-    const int pivot = d.point(name + "D", dyad.pivot);
-    const int c = d.point(name + "C", dyad.joint);
-    d.carry(MechanismBuilder::ground, {pivot});
-    const int coupler = d.link(name + "coupler", b, c, dyad.coupler);
-    const int rocker = d.link(name + "rocker", pivot, c, dyad.rocker);
-    d.joint(revolute, before, coupler, {b});
-    d.joint(revolute, coupler, rocker, {c});
-    d.joint(revolute, MechanismBuilder::ground, rocker, {pivot});
-    d.angle(name + "psi", {-1, pivot, c}).estimate = dyad.angle;
+    const int pivot = builder.point(name + "D", dyad.pivot);
+    const int c = builder.point(name + "C", dyad.joint);
+    builder.carry(MechanismBuilder::ground, {pivot});
+    const int coupler = builder.link(name + "coupler", b, c, dyad.coupler);
+    const int rocker = builder.link(name + "rocker", pivot, c, dyad.rocker);
+    builder.joint(revolute, before, coupler, {b});
+    builder.joint(revolute, coupler, rocker, {c});
+    builder.joint(revolute, MechanismBuilder::ground, rocker, {pivot});
+    builder.angle(name + "psi", {-1, pivot, c}).estimate = dyad.angle;
     b = c;  // the next dyad's coupler starts here
     before = rocker;
   }

@@ -17,10 +17,10 @@ Scene four_bar(int dyads) {
     chain.dyads.push_back(
         {{pivot_spacing * k, 0, 0}, link_length, link_length, {pivot_spacing * k - 3, 5, 0}, 2});
 
-  MechanismBuilder d("four_bar", 2);
-  d.set_length_unit("1");
-  add(d, chain);
-  return {"four_bar", d.release(), {Polynomial{{chain.start, 1}}}, time_grid(30, 0.01)};
+  MechanismBuilder builder("four_bar", 2);
+  builder.set_length_unit("1");
+  add(builder, chain);
+  return {"four_bar", builder.release(), {Polynomial{{chain.start, 1}}}, time_grid(30, 0.01)};
 }
 
 }  // namespace desmo

@@ -30,8 +30,8 @@ constexpr Vec x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
 /// of the axle under construction.
 class Builder {
  public:
-  Builder() : d_("truck_suspension", 3), y1_(d_.vector("y1", y_axis)) {
-    d_.carry(MechanismBuilder::ground, {}, {y1_});
+  Builder() : builder_("truck_suspension", 3), y1_(builder_.vector("y1", y_axis)) {
+    builder_.carry(MechanismBuilder::ground, {}, {y1_});
   }
 
   void add_axle(int a) {
@@ -45,18 +45,20 @@ class Builder {
   }
 
   Scene scene() {
-    return {"truck_suspension", d_.release(), std::move(motions_), time_grid(30, 0.01)};
+    return {"truck_suspension", builder_.release(), std::move(motions_), time_grid(30, 0.01)};
   }
 
  private:
-  int point(const std::string& name, const Vec& at) { return d_.point(axle_ + name, origin_ + at); }
+  int point(const std::string& name, const Vec& at) {
+    return builder_.point(axle_ + name, origin_ + at);
+  }
   int ground_point(const std::string& name, const Vec& at) {
     const int p = point(name, at);
-    d_.carry(MechanismBuilder::ground, {p});
+    builder_.carry(MechanismBuilder::ground, {p});
     return p;
   }
   int vector(const std::string& name, const Vec& direction) {
-    return d_.vector(axle_ + name, direction);
+    return builder_.vector(axle_ + name, direction);
   }
 
   /// Adds bodies 2 to 5, the rigid axle, the upper arm and the lower rods, and drives both wheels.
@@ -75,16 +77,16 @@ class Builder {
     const int u4 = vector("u4", nominal_u4), n4 = vector("n4", normal(c4 - g4, nominal_u4));
     const int u5 = vector("u5", nominal_u5), n5 = vector("n5", normal(c5 - g5, nominal_u5));
 
-    rigid_axle_ = d_.body(axle_ + "2", {WL, S, C4, C5, WR}, {x2_, y2_, z2_});
-    const int arm = d_.body(axle_ + "3", {R, S}, {y1_, n3});
-    const int rod4 = d_.body(axle_ + "4", {G4, C4}, {u4, n4});
-    const int rod5 = d_.body(axle_ + "5", {G5, C5}, {u5, n5});
-    d_.joint(spherical, rigid_axle_, arm, {S});
-    d_.joint(revolute, MechanismBuilder::ground, arm, {R}, {y1_});
-    d_.joint(universal, rigid_axle_, rod4, {C4}, {z2_, u4});
-    d_.joint(universal, rigid_axle_, rod5, {C5}, {y2_, u5});
-    d_.joint(spherical, MechanismBuilder::ground, rod4, {G4});
-    d_.joint(spherical, MechanismBuilder::ground, rod5, {G5});
+    rigid_axle_ = builder_.body(axle_ + "2", {WL, S, C4, C5, WR}, {x2_, y2_, z2_});
+    const int arm = builder_.body(axle_ + "3", {R, S}, {y1_, n3});
+    const int rod4 = builder_.body(axle_ + "4", {G4, C4}, {u4, n4});
+    const int rod5 = builder_.body(axle_ + "5", {G5, C5}, {u5, n5});
+    builder_.joint(spherical, rigid_axle_, arm, {S});
+    builder_.joint(revolute, MechanismBuilder::ground, arm, {R}, {y1_});
+    builder_.joint(universal, rigid_axle_, rod4, {C4}, {z2_, u4});
+    builder_.joint(universal, rigid_axle_, rod5, {C5}, {y2_, u5});
+    builder_.joint(spherical, MechanismBuilder::ground, rod4, {G4});
+    builder_.joint(spherical, MechanismBuilder::ground, rod5, {G5});
 
     constexpr double turn = 2 * std::numbers::pi;
     drive_height("zL", WL, {0.05, turn * 1.0, -0.3 * a});
@@ -92,7 +94,7 @@ class Builder {
   }
 
   void drive_height(const std::string& name, int wheel_centre, const HarmonicSum::Term& term) {
-    d_.component(axle_ + name, wheel_centre, 2).driven = true;
+    builder_.component(axle_ + name, wheel_centre, 2).driven = true;
     motions_.push_back(HarmonicSum{0.5, {term}});
   }
 
@@ -103,17 +105,17 @@ class Builder {
 
     const int A = point("A" + lever, a), B = point("B" + lever, b);
     const int G = ground_point("G" + link, g);
-    const int e = d_.vector_along(axle_ + "e" + lever, nominal_e, A, B);
+    const int e = builder_.vector_along(axle_ + "e" + lever, nominal_e, A, B);
     const int n = vector("n" + lever, normal(y_axis, b - a));
     const int u = vector("u" + link, nominal_u), m = vector("n" + link, normal(b - g, nominal_u));
-    d_.carry(rigid_axle_, {A});
-    const int lever_body = d_.body(axle_ + lever, {A, B}, {y2_, e, n});
-    const int link_body = d_.body(axle_ + link, {B, G}, {u, m});
-    d_.joint(revolute, rigid_axle_, lever_body, {A}, {y2_});
-    d_.joint(universal, lever_body, link_body, {B}, {e, u});
-    d_.joint(spherical, MechanismBuilder::ground, link_body, {G});
+    builder_.carry(rigid_axle_, {A});
+    const int lever_body = builder_.body(axle_ + lever, {A, B}, {y2_, e, n});
+    const int link_body = builder_.body(axle_ + link, {B, G}, {u, m});
+    builder_.joint(revolute, rigid_axle_, lever_body, {A}, {y2_});
+    builder_.joint(universal, lever_body, link_body, {B}, {e, u});
+    builder_.joint(spherical, MechanismBuilder::ground, link_body, {G});
 
-    d_.angle(axle_ + "phi" + lever, {-1, A, B}, {x2_}, {z2_}).opposite = true;
+    builder_.angle(axle_ + "phi" + lever, {-1, A, B}, {x2_}, {z2_}).opposite = true;
   }
 
   /// Adds the rod and the tube of a damper; side is +1 on the left, −1 on the right.
@@ -125,17 +127,17 @@ class Builder {
     const int A = point("A" + rod, a), T = ground_point("T" + tube, t);
     const int axis = vector("d" + rod, nominal_d), u = vector("u" + rod, nominal_u);
     const int n = vector("n" + rod, nominal_n), m = vector("n" + tube, -nominal_n);
-    d_.carry(rigid_axle_, {A});
-    const int rod_body = d_.body(axle_ + rod, {A}, {axis, u, n});
-    const int tube_body = d_.body(axle_ + tube, {T}, {axis, u, m});
-    d_.joint(universal, rigid_axle_, rod_body, {A}, {x2_, u});
-    d_.joint(prismatic, rod_body, tube_body, {A, T}, {axis, u});
-    d_.joint(spherical, MechanismBuilder::ground, tube_body, {T});
+    builder_.carry(rigid_axle_, {A});
+    const int rod_body = builder_.body(axle_ + rod, {A}, {axis, u, n});
+    const int tube_body = builder_.body(axle_ + tube, {T}, {axis, u, m});
+    builder_.joint(universal, rigid_axle_, rod_body, {A}, {x2_, u});
+    builder_.joint(prismatic, rod_body, tube_body, {A, T}, {axis, u});
+    builder_.joint(spherical, MechanismBuilder::ground, tube_body, {T});
 
-    d_.along(axle_ + "s" + rod, A, T, axis);
+    builder_.along(axle_ + "s" + rod, A, T, axis);
   }
 
-  MechanismBuilder d_;
+  MechanismBuilder builder_;
   int y1_;
   std::vector<Motion> motions_;
   std::string axle_;  ///< prefix of the names of the axle under construction

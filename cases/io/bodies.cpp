@@ -19,13 +19,13 @@ Vec turned(const Vec& x, const Vec& rotation) {
 
 class BodyReader {
  public:
-  BodyReader(Mechanism& d, const DisplayUnits& units, Names& names)
-      : d_(d), units_(units), names_(names) {}
+  BodyReader(Mechanism& mechanism, const DisplayUnits& units, Names& names)
+      : mechanism_(mechanism), units_(units), names_(names) {}
 
   void read(const JsonValue& root) {
     const JsonValue ground = root["ground"];
     ground.allow({"points", "vectors"});
-    d_.bodies.push_back({"ground"});
+    mechanism_.bodies.push_back({"ground"});
     names_.bodies.add(ground.key());
     const std::vector<JsonValue> members = root["bodies"].members();
     for (const JsonValue& value : members) {
@@ -33,16 +33,16 @@ class BodyReader {
         value.complain("'ground' is the name of the ground; choose another for this body");
       value.require_object(R"({"points": ["A", "B"]})");
       value.allow({"at", "points", "vectors", "length"});
-      d_.bodies.push_back({checked_name(value, value.key())});
+      mechanism_.bodies.push_back({checked_name(value, value.key())});
       names_.bodies.add(value.key());
     }
-    drawn_points_ = d_.points.size();
-    drawn_vectors_ = d_.vectors.size();
+    drawn_points_ = mechanism_.points.size();
+    drawn_vectors_ = mechanism_.vectors.size();
     for (std::size_t b = 0; b < members.size(); ++b)
-      if (has_frame(members[b])) read_shape(members[b], d_.bodies[b + 1]);
-    read_lists(ground, d_.bodies.front());
+      if (has_frame(members[b])) read_shape(members[b], mechanism_.bodies[b + 1]);
+    read_lists(ground, mechanism_.bodies.front());
     for (std::size_t b = 0; b < members.size(); ++b)
-      if (!has_frame(members[b])) read_lists(members[b], d_.bodies[b + 1]);
+      if (!has_frame(members[b])) read_lists(members[b], mechanism_.bodies[b + 1]);
   }
 
  private:
@@ -58,15 +58,17 @@ class BodyReader {
     Names own;
     std::vector<Mechanism::Point> points;
     if (const auto list = value.find("points"))
-      points = read_points(*list, d_.dimension, units_, own);
+      points = read_points(*list, mechanism_.dimension, units_, own);
     meet_what_is_drawn(points, frame);
     for (const Mechanism::Point& p : points) {
       const Vec x = drawn_position(frame, p.position);
-      body.points.push_back(place(d_.points, names_.points, own.points, body.points, {p.name, x}));
+      body.points.push_back(
+          place(mechanism_.points, names_.points, own.points, body.points, {p.name, x}));
       frame.points.push_back(p.exact());
     }
-    for (const auto& [name, u, along, remainder] : read_vectors(value, d_.dimension, points, own)) {
-      body.vectors.push_back(place(d_.vectors, names_.vectors, own.vectors, body.vectors,
+    for (const auto& [name, u, along, remainder] :
+         read_vectors(value, mechanism_.dimension, points, own)) {
+      body.vectors.push_back(place(mechanism_.vectors, names_.vectors, own.vectors, body.vectors,
                                    {name, turned(u, frame.rotation)}));
       frame.vectors.push_back(Mechanism::exact(u, remainder));
     }
@@ -80,7 +82,7 @@ class BodyReader {
     std::size_t drawn = 0;
     for (const Mechanism::Point& p : points)
       if (const auto known = names_.points.position(p.name)) {
-        const Vec to = d_.points[*known].position, from = drawn_position(frame, p.position);
+        const Vec to = mechanism_.points[*known].position, from = drawn_position(frame, p.position);
         for (int i = 0; i < 3; ++i) way[i] += to[i] - from[i];
         ++drawn;
       }
@@ -104,7 +106,7 @@ class BodyReader {
 
   void read_place(const JsonValue& value, Mechanism::Frame& frame) const {
     const std::vector<JsonValue> numbers = value.elements();
-    const int n = d_.dimension;
+    const int n = mechanism_.dimension;
     if (numbers.size() != static_cast<std::size_t>(n == 2 ? 3 : 6))
       value.complain("has " + std::to_string(numbers.size()) + " numbers; give the origin and " +
                      (n == 2 ? "the angle: three" : "the rotation vector: six"));
@@ -136,7 +138,7 @@ class BodyReader {
                           kind + "s\", or give this body a frame, too, by \"at\"");
   }
 
-  Mechanism& d_;
+  Mechanism& mechanism_;
   const DisplayUnits& units_;
   Names& names_;
   // Numbers of entities in the file's own "points" and "vectors". Those of frames come after them.
@@ -171,8 +173,9 @@ std::vector<Mechanism::Point> read_points(const JsonValue& list, int dimension,
   return points;
 }
 
-void read_bodies(const JsonValue& root, Mechanism& d, const DisplayUnits& units, Names& names) {
-  BodyReader(d, units, names).read(root);
+void read_bodies(const JsonValue& root, Mechanism& mechanism, const DisplayUnits& units,
+                 Names& names) {
+  BodyReader(mechanism, units, names).read(root);
 }
 
 }  // namespace desmo

@@ -14,34 +14,36 @@ namespace {
 /// Points come first, since coordinates may measure them.
 class Definitions {
  public:
-  Definitions(const FileUnits& units, Mechanism& mechanism) : units_(units), d_(mechanism) {
-    for (const Mechanism::Body& body : d_.bodies) names_.bodies.add(body.name);
+  Definitions(const FileUnits& units, Mechanism& mechanism) : units_(units), mechanism_(mechanism) {
+    for (const Mechanism::Body& body : mechanism_.bodies) names_.bodies.add(body.name);
     const auto take = [&](const auto& entries) {
       for (const auto& entry : entries) taken_.insert(entry.name);
     };
-    take(d_.points), take(d_.vectors), take(d_.coordinates);
+    take(mechanism_.points), take(mechanism_.vectors), take(mechanism_.coordinates);
   }
 
   void add(const std::vector<JsonValue>& entries) {
-    const std::size_t points = d_.points.size(), coordinates = d_.coordinates.size();
+    const std::size_t points = mechanism_.points.size(),
+                      coordinates = mechanism_.coordinates.size();
     std::vector<JsonValue> point_places, coordinate_places;
     for_each(entries, "points", [&](const JsonValue& value) {
       add_point(value);
       point_places.push_back(value);
     });
-    for (const Mechanism::Point& p : d_.points) names_.points.add(p.name);
-    for (const Mechanism::Vector& v : d_.vectors) names_.vectors.add(v.name);
+    for (const Mechanism::Point& p : mechanism_.points) names_.points.add(p.name);
+    for (const Mechanism::Vector& v : mechanism_.vectors) names_.vectors.add(v.name);
     std::vector<Mechanism::Coordinate> defined;
     for (const char* key : {"angles", "distances"})
       for_each(entries, key, [&](const JsonValue& value) {
         defined.push_back(read(value, key));
         coordinate_places.push_back(value);
       });
-    d_.coordinates.insert(d_.coordinates.end(), defined.begin(), defined.end());
+    mechanism_.coordinates.insert(mechanism_.coordinates.end(), defined.begin(), defined.end());
     if (point_places.empty() && coordinate_places.empty()) return;
     try {
-      validate(d_);
-    } catch (const MechanismError& error) {  // a definition is at fault: without them d_ was valid
+      validate(mechanism_);
+    } catch (const MechanismError& error) {
+      // A definition is at fault: without them the mechanism was valid.
       using Part = MechanismError::Part;
       const auto index = static_cast<std::size_t>(error.index());
       if (error.part() == Part::coordinate && index >= coordinates)
@@ -84,18 +86,18 @@ class Definitions {
     Mechanism::Point point{checked_name(value, value.key()), {}};
     value.allow({"body", "at"});
     const int carrier = names_.bodies.find(value["body"]);
-    set_position(point, read_components(value["at"], d_.dimension), units_.length);
-    if (auto& own = d_.bodies[carrier].own) {
+    set_position(point, read_components(value["at"], mechanism_.dimension), units_.length);
+    if (auto& own = mechanism_.bodies[carrier].own) {
       own->points.push_back(point.exact());
       point = {point.name, drawn_position(*own, point.position)};
     }
-    d_.bodies[carrier].points.push_back(static_cast<int>(d_.points.size()));
+    mechanism_.bodies[carrier].points.push_back(static_cast<int>(mechanism_.points.size()));
     carrier_.push_back(carrier);
-    d_.points.push_back(std::move(point));
+    mechanism_.points.push_back(std::move(point));
   }
 
   Mechanism::Coordinate read(const JsonValue& value, std::string_view key) const {
-    Mechanism::Coordinate c = read_coordinate(value, d_.dimension, units_, names_);
+    Mechanism::Coordinate c = read_coordinate(value, mechanism_.dimension, units_, names_);
     const bool is_angle = c.type == Mechanism::CoordinateType::angle;
     if (is_angle != (key == "angles"))
       value.complain(is_angle ? "is an angle; define it under \"angles\""
@@ -104,7 +106,7 @@ class Definitions {
   }
 
   const FileUnits& units_;
-  Mechanism& d_;
+  Mechanism& mechanism_;
   Names names_;
   std::set<std::string, std::less<>> taken_;
   std::vector<int> carrier_;  // by defined point: index of the body that carries it

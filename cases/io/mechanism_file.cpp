@@ -18,16 +18,16 @@ JsonValue place_of(const JsonValue& root, std::string_view kind, const std::stri
 }
 
 // Returns the value of the file that describes the entry that validate() refuses.
-JsonValue place_of(const JsonValue& root, const Mechanism& d, const MechanismError& error) {
+JsonValue place_of(const JsonValue& root, const Mechanism& mechanism, const MechanismError& error) {
   using Part = MechanismError::Part;
   const int i = error.index();
   const Part part = error.part();
-  if (part == Part::point) return place_of(root, "points", d.points[i].name);
-  if (part == Part::vector) return place_of(root, "vectors", d.vectors[i].name);
-  if (part == Part::body) return i == 0 ? root["ground"] : root["bodies"][d.bodies[i].name];
+  if (part == Part::point) return place_of(root, "points", mechanism.points[i].name);
+  if (part == Part::vector) return place_of(root, "vectors", mechanism.vectors[i].name);
+  if (part == Part::body) return i == 0 ? root["ground"] : root["bodies"][mechanism.bodies[i].name];
   if (part == Part::joint) return root["joints"].elements()[i];
-  if (part == Part::coordinate) return root["coordinates"][d.coordinates[i].name];
-  if (part == Part::coupling) return root["couplings"][d.couplings[i].name];
+  if (part == Part::coordinate) return root["coordinates"][mechanism.coordinates[i].name];
+  if (part == Part::coupling) return root["couplings"][mechanism.couplings[i].name];
   return root;
 }
 
@@ -61,26 +61,26 @@ ReadMechanism mechanism_from(const JsonValue& root, NamedFiles& files) {
   check_format(root, "desmo-mechanism", 1);
   root.allow({"$schema", "format", "version", "name", "title", "dimension", "units", "points",
               "vectors", "ground", "bodies", "joints", "coordinates", "couplings", "drivers"});
-  Mechanism d;
-  d.name = checked_name(root["name"], root["name"].text());
-  if (const auto title = root.find("title")) d.title = title->line();
-  d.dimension = root["dimension"].whole_number(2, 3);
+  Mechanism mechanism;
+  mechanism.name = checked_name(root["name"], root["name"].text());
+  if (const auto title = root.find("title")) mechanism.title = title->line();
+  mechanism.dimension = root["dimension"].whole_number(2, 3);
   DisplayUnits units = read_units(root, {});
-  d.length_unit = units.base_length();
+  mechanism.length_unit = units.base_length();
   Names names;
-  d.points = read_points(root["points"], d.dimension, units, names);
-  d.vectors = read_vectors(root, d.dimension, d.points, names);
-  read_bodies(root, d, units, names);
-  d.joints = read_joints(root, d.dimension, units, names);
-  name_joints(d);
-  d.coordinates = read_coordinates(root, d.dimension, units, names);
-  d.couplings = read_couplings(root, d, units, names, files);
+  mechanism.points = read_points(root["points"], mechanism.dimension, units, names);
+  mechanism.vectors = read_vectors(root, mechanism.dimension, mechanism.points, names);
+  read_bodies(root, mechanism, units, names);
+  mechanism.joints = read_joints(root, mechanism.dimension, units, names);
+  name_joints(mechanism);
+  mechanism.coordinates = read_coordinates(root, mechanism.dimension, units, names);
+  mechanism.couplings = read_couplings(root, mechanism, units, names, files);
   try {
-    validate(d);
+    validate(mechanism);
   } catch (const MechanismError& error) {
-    place_of(root, d, error).complain(error.what());
+    place_of(root, mechanism, error).complain(error.what());
   }
-  return {std::move(d), std::move(units)};
+  return {std::move(mechanism), std::move(units)};
 }
 
 Mechanism parse_mechanism(std::string_view text, const std::string& file_name) {

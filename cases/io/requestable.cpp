@@ -23,20 +23,22 @@ void fill(RequestKey& names, const std::vector<Entry>& list, const auto& can_be_
 
 }  // namespace
 
-Requestable::Requestable(const Mechanism& mechanism) : d_(mechanism) {
-  const Carriers of_points(d_, &Mechanism::Body::points), of_vectors(d_, &Mechanism::Body::vectors);
+Requestable::Requestable(const Mechanism& mechanism) : mechanism_(mechanism) {
+  const Carriers of_points(mechanism_, &Mechanism::Body::points),
+      of_vectors(mechanism_, &Mechanism::Body::vectors);
   const auto is_angle = [&](int c) {
-    return d_.coordinates[c].type == Mechanism::CoordinateType::angle;
+    return mechanism_.coordinates[c].type == Mechanism::CoordinateType::angle;
   };
   const auto any = [](int) { return true; };
-  fill(points, d_.points, [&](int p) { return of_points.is_carried(p); });
-  fill(vectors, d_.vectors, [&](int v) { return of_vectors.is_carried(v); });
-  fill(angles, d_.coordinates, is_angle);
-  fill(distances, d_.coordinates, std::not_fn(is_angle));
-  fill(bodies, d_.bodies, any);
-  fill(rotations, d_.bodies, any, 1);  // index 0 is the ground
-  fill(joints, d_.joints,
-       [&](int j) { return turns(d_.joints[j].type) || slides(d_.joints[j].type); });
+  fill(points, mechanism_.points, [&](int p) { return of_points.is_carried(p); });
+  fill(vectors, mechanism_.vectors, [&](int v) { return of_vectors.is_carried(v); });
+  fill(angles, mechanism_.coordinates, is_angle);
+  fill(distances, mechanism_.coordinates, std::not_fn(is_angle));
+  fill(bodies, mechanism_.bodies, any);
+  fill(rotations, mechanism_.bodies, any, 1);  // index 0 is the ground
+  fill(joints, mechanism_.joints, [&](int j) {
+    return turns(mechanism_.joints[j].type) || slides(mechanism_.joints[j].type);
+  });
 }
 
 void Requestable::read(const JsonValue& entry, const RequestKey& names, const Want& want) {
@@ -88,7 +90,7 @@ std::vector<int> Requestable::match(const JsonValue& pattern, const RequestKey& 
 /// - the name of an entity of another kind, except under "rotations" and "joints"
 /// - a point or vector that no body carries, likewise
 void Requestable::check_kind(const JsonValue& name, const RequestKey& names) const {
-  if (&names == &rotations && name.text() == d_.bodies.front().name)
+  if (&names == &rotations && name.text() == mechanism_.bodies.front().name)
     name.complain("the ground never turns; name a body that moves");
   if (names.position(name.text()) || &names == &rotations || &names == &joints) return;
   for (const RequestKey* other : {&points, &vectors, &angles, &distances, &bodies})
@@ -96,7 +98,8 @@ void Requestable::check_kind(const JsonValue& name, const RequestKey& names) con
       name.complain(in_quotes(name.text()) + " is none of the " + names.key +
                     "; ask for it under \"" + other->key + "\"");
   const auto is_named = [&](const auto& entry) { return entry.name == name.text(); };
-  if (std::ranges::any_of(d_.points, is_named) || std::ranges::any_of(d_.vectors, is_named))
+  if (std::ranges::any_of(mechanism_.points, is_named) ||
+      std::ranges::any_of(mechanism_.vectors, is_named))
     name.complain(in_quotes(name.text()) +
                   " is carried by no body and has no motion; list it in a body");
 }
@@ -104,10 +107,10 @@ void Requestable::check_kind(const JsonValue& name, const RequestKey& names) con
 /// Refuses a joint that neither turns about one axis nor slides along one.
 void Requestable::check_joint(const JsonValue& name) const {
   if (joints.position(name.text())) return;
-  const auto joint = std::ranges::find(d_.joints, name.text(), &Mechanism::Joint::name);
-  if (joint == d_.joints.end()) return;
+  const auto joint = std::ranges::find(mechanism_.joints, name.text(), &Mechanism::Joint::name);
+  if (joint == mechanism_.joints.end()) return;
   name.complain(in_quotes(name.text()) + " is a joint of type " +
-                in_quotes(find_joint_form(joint->type, d_.dimension)->name) +
+                in_quotes(find_joint_form(joint->type, mechanism_.dimension)->name) +
                 ", which neither turns about one axis nor slides along one; ask for rotations or "
                 "points of its bodies");
 }
@@ -116,12 +119,13 @@ std::string Requestable::read_component(const JsonValue& value) const {
   const std::string_view name = value.text(), entity = name.substr(0, name.rfind('.'));
   const bool is_component =
       entity.size() + 2 == name.size() &&
-      std::string_view("xyz").substr(0, d_.dimension).find(name.back()) != std::string_view::npos &&
+      std::string_view("xyz").substr(0, mechanism_.dimension).find(name.back()) !=
+          std::string_view::npos &&
       (points.position(entity) || vectors.position(entity));
   if (!is_component && !angles.position(name) && !distances.position(name))
     value.complain("unknown coordinate " + in_quotes(name) +
                    "; give one, or a component of a point or vector such as 'C.x'; " +
-                   suggestion(name, names_of(d_.coordinates)));
+                   suggestion(name, names_of(mechanism_.coordinates)));
   return std::string(name);
 }
 

@@ -47,7 +47,7 @@ class Requestable {
   void check_kind(const JsonValue& name, const RequestKey& names) const;
   void check_joint(const JsonValue& name) const;
 
-  const Mechanism& d_;
+  const Mechanism& mechanism_;
   int patterns_ = 0;
 };
 

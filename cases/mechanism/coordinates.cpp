@@ -22,8 +22,13 @@ bool is_same_line(const Mechanism::Direction& a, const Mechanism::Direction& b) 
 
 class CoordinateCheck {
  public:
-  CoordinateCheck(const Mechanism& d, const Carriers& points, const Carriers& vectors, int index)
-      : d_(d), points_(points), vectors_(vectors), index_(index), c_(d.coordinates[index]) {}
+  CoordinateCheck(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors,
+                  int index)
+      : mechanism_(mechanism),
+        points_(points),
+        vectors_(vectors),
+        index_(index),
+        c_(mechanism.coordinates[index]) {}
 
   void run() const {
     using enum Mechanism::CoordinateType;
@@ -39,7 +44,7 @@ class CoordinateCheck {
         return check_vector(c_.vector);
       case component:
         check_point(c_.point);
-        if (c_.axis < 0 || c_.axis >= d_.dimension)
+        if (c_.axis < 0 || c_.axis >= mechanism_.dimension)
           complain("has an axis beyond the mechanism's dimension; choose one of its axes");
         return;
     }
@@ -48,7 +53,7 @@ class CoordinateCheck {
 
  private:
   [[noreturn]] void complain(const std::string& what) const {
-    refuse(d_, Part::coordinate, index_, what);
+    refuse(mechanism_, Part::coordinate, index_, what);
   }
 
   template <class Entity>
@@ -60,24 +65,26 @@ class CoordinateCheck {
                " is carried by no body; list it in one");
   }
 
-  void check_point(int point) const { check_carried(point, d_.points, points_, "point"); }
-  void check_vector(int vector) const { check_carried(vector, d_.vectors, vectors_, "vector"); }
+  void check_point(int point) const { check_carried(point, mechanism_.points, points_, "point"); }
+  void check_vector(int vector) const {
+    check_carried(vector, mechanism_.vectors, vectors_, "vector");
+  }
 
   void check_line(const Mechanism::Direction& line) const {
     check_point(line.from);
     check_point(line.to);
     if (line.from == line.to)
-      complain("its two points are both " + in_quotes(d_.points[line.from].name) +
+      complain("its two points are both " + in_quotes(mechanism_.points[line.from].name) +
                "; name two different ones");
   }
 
   Mechanism::Vec check_direction(const Mechanism::Direction& of) const {
     if (!of.is_line()) {
       check_vector(of.vector);
-      return d_.vectors[of.vector].direction;
+      return mechanism_.vectors[of.vector].direction;
     }
     check_line(of);
-    const Mechanism::Point &from = d_.points[of.from], &to = d_.points[of.to];
+    const Mechanism::Point &from = mechanism_.points[of.from], &to = mechanism_.points[of.to];
     const auto unit = direction(from.position, to.position);
     if (!unit)
       complain("the points " + in_quotes(from.name) + " and " + in_quotes(to.name) +
@@ -94,7 +101,7 @@ class CoordinateCheck {
     const Mechanism::Vec w = check_direction(c_.of);
     check_apart(c_.from);
     check_apart(c_.towards);
-    if (d_.dimension == 2) {
+    if (mechanism_.dimension == 2) {
       if (c_.towards.is_given())
         complain("is towards a direction, which is for space only; leave that out");
       if (c_.from.is_given()) check_direction(c_.from);
@@ -118,17 +125,17 @@ class CoordinateCheck {
   double cosine(int u, int v) const {
     int carrier = 0;
     for (const auto& [vector, body] : vectors_.of(u))
-      if (d_.bodies[body].own && vectors_.carries(body, v)) carrier = body;
-    return dot(carried_vector(d_, carrier, u), carried_vector(d_, carrier, v));
+      if (mechanism_.bodies[body].own && vectors_.carries(body, v)) carrier = body;
+    return dot(carried_vector(mechanism_, carrier, u), carried_vector(mechanism_, carrier, v));
   }
 
   std::string text(const Mechanism::Direction& of) const {
-    if (!of.is_line()) return in_quotes(d_.vectors[of.vector].name);
-    return "the line from " + in_quotes(d_.points[of.from].name) + " to " +
-           in_quotes(d_.points[of.to].name);
+    if (!of.is_line()) return in_quotes(mechanism_.vectors[of.vector].name);
+    return "the line from " + in_quotes(mechanism_.points[of.from].name) + " to " +
+           in_quotes(mechanism_.points[of.to].name);
   }
 
-  const Mechanism& d_;
+  const Mechanism& mechanism_;
   const Carriers &points_, &vectors_;
   int index_;
   const Mechanism::Coordinate& c_;
@@ -136,9 +143,10 @@ class CoordinateCheck {
 
 }  // namespace
 
-void check_coordinates(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
-  for (int i = 0; i < static_cast<int>(d.coordinates.size()); ++i)
-    CoordinateCheck(d, points, vectors, i).run();
+void check_coordinates(const Mechanism& mechanism, const Carriers& points,
+                       const Carriers& vectors) {
+  for (int i = 0; i < static_cast<int>(mechanism.coordinates.size()); ++i)
+    CoordinateCheck(mechanism, points, vectors, i).run();
 }
 
 }  // namespace desmo

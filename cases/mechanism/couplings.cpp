@@ -12,47 +12,48 @@ namespace {
 
 using Part = MechanismError::Part;
 
-void check_table(const Mechanism& d, int i) {
-  const Mechanism::Coupling& coupling = d.couplings[i];
+void check_table(const Mechanism& mechanism, int i) {
+  const Mechanism::Coupling& coupling = mechanism.couplings[i];
   const auto& [arguments, values, ends, from] = *coupling.table;
   if (coupling.terms.size() != 2)
-    refuse(d, Part::coupling, i, "has a table, and not two coordinates; give two");
+    refuse(mechanism, Part::coupling, i, "has a table, and not two coordinates; give two");
   try {
     make_spline(arguments, values, ends);
   } catch (const std::invalid_argument& error) {
-    refuse(d, Part::coupling, i, std::string(error.what()) + "; change the table or its ends");
+    refuse(mechanism, Part::coupling, i,
+           std::string(error.what()) + "; change the table or its ends");
   }
   if (from && !std::isfinite(from->value))
-    refuse(d, Part::coupling, i, "what is added to its table is not finite; give a number");
+    refuse(mechanism, Part::coupling, i, "what is added to its table is not finite; give a number");
 }
 
-void check(const Mechanism& d, int i) {
-  const Mechanism::Coupling& coupling = d.couplings[i];
+void check(const Mechanism& mechanism, int i) {
+  const Mechanism::Coupling& coupling = mechanism.couplings[i];
   const int count = static_cast<int>(coupling.terms.size());
   if (count < Mechanism::Coupling::min_terms || count > Mechanism::Coupling::max_terms)
-    refuse(d, Part::coupling, i,
+    refuse(mechanism, Part::coupling, i,
            "relates " + std::to_string(count) + (count == 1 ? " coordinate" : " coordinates") +
                "; give two to four");
   std::set<int> seen;
   for (const auto& [c, factor] : coupling.terms) {
-    if (!is_in(c, d.coordinates))
-      refuse(d, Part::coupling, i, "refers to a coordinate that does not exist");
-    const std::string name = in_quotes(d.coordinates[c].name);
+    if (!is_in(c, mechanism.coordinates))
+      refuse(mechanism, Part::coupling, i, "refers to a coordinate that does not exist");
+    const std::string name = in_quotes(mechanism.coordinates[c].name);
     if (!seen.insert(c).second)
-      refuse(d, Part::coupling, i, "lists " + name + " twice; list it once");
+      refuse(mechanism, Part::coupling, i, "lists " + name + " twice; list it once");
     if (!std::isfinite(factor.value) || factor.value == 0)
-      refuse(d, Part::coupling, i,
+      refuse(mechanism, Part::coupling, i,
              "the factor of " + name + " is 0 or not finite; give another number");
   }
-  if (coupling.table) check_table(d, i);
-  if (std::ranges::all_of(seen, [&](int c) { return d.coordinates[c].driven; }))
-    refuse(d, Part::coupling, i, "all its coordinates are driven; let one of them follow");
+  if (coupling.table) check_table(mechanism, i);
+  if (std::ranges::all_of(seen, [&](int c) { return mechanism.coordinates[c].driven; }))
+    refuse(mechanism, Part::coupling, i, "all its coordinates are driven; let one of them follow");
 }
 
 }  // namespace
 
-void check_couplings(const Mechanism& d) {
-  for (int i = 0; i < static_cast<int>(d.couplings.size()); ++i) check(d, i);
+void check_couplings(const Mechanism& mechanism) {
+  for (int i = 0; i < static_cast<int>(mechanism.couplings.size()); ++i) check(mechanism, i);
 }
 
 }  // namespace desmo

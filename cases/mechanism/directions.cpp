@@ -17,13 +17,13 @@ double largest(const Vec& x) { return std::max({std::abs(x[0]), std::abs(x[1]), 
 
 }  // namespace
 
-std::vector<Vec> shape_of(const Mechanism& d, const Mechanism::Body& body) {
+std::vector<Vec> shape_of(const Mechanism& mechanism, const Mechanism::Body& body) {
   std::vector<Vec> points;
   if (body.own) {
     for (const Mechanism::ExactVec& x : body.own->points) points.push_back(Mechanism::rounded(x));
     return points;
   }
-  for (const int p : body.points) points.push_back(d.points[p].position);
+  for (const int p : body.points) points.push_back(mechanism.points[p].position);
   return points;
 }
 

@@ -25,148 +25,163 @@ bool is_unit(const Mechanism::Vec& u) {
 }
 
 template <class Entry>
-void check_unique(const Mechanism& d, Part part, const std::vector<Entry>& entries,
+void check_unique(const Mechanism& mechanism, Part part, const std::vector<Entry>& entries,
                   std::set<std::string_view>& taken, const char* among) {
   for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
-    if (entries[i].name.empty()) refuse(d, part, i, "has no name; give one");
+    if (entries[i].name.empty()) refuse(mechanism, part, i, "has no name; give one");
     if (!taken.insert(entries[i].name).second)
-      refuse(d, part, i, std::string("the name is given twice among ") + among + "; rename one");
+      refuse(mechanism, part, i,
+             std::string("the name is given twice among ") + among + "; rename one");
   }
 }
 
-void check_points(const Mechanism& d) {
-  for (int i = 0; i < static_cast<int>(d.points.size()); ++i) {
-    const Mechanism::Vec& x = d.points[i].position;
-    if (!finite(x)) refuse(d, Part::point, i, "the position is not finite; give finite numbers");
-    if (d.dimension == 2 && x[2] != 0)
-      refuse(d, Part::point, i, "has a third component that is not 0; in the plane it must be");
+void check_points(const Mechanism& mechanism) {
+  for (int i = 0; i < static_cast<int>(mechanism.points.size()); ++i) {
+    const Mechanism::Vec& x = mechanism.points[i].position;
+    if (!finite(x))
+      refuse(mechanism, Part::point, i, "the position is not finite; give finite numbers");
+    if (mechanism.dimension == 2 && x[2] != 0)
+      refuse(mechanism, Part::point, i,
+             "has a third component that is not 0; in the plane it must be");
   }
 }
 
-void check_along(const Mechanism& d, int i, const Carriers& points, const Carriers& vectors) {
-  const auto [p, q] = *d.vectors[i].along;
-  if (!is_in(p, d.points) || !is_in(q, d.points))
-    refuse(d, Part::vector, i, "points along points that do not exist");
-  if (!direction(d.points[p].position, d.points[q].position))
-    refuse(d, Part::vector, i,
-           "points from " + in_quotes(d.points[p].name) + " to " + in_quotes(d.points[q].name) +
+void check_along(const Mechanism& mechanism, int i, const Carriers& points,
+                 const Carriers& vectors) {
+  const auto [p, q] = *mechanism.vectors[i].along;
+  if (!is_in(p, mechanism.points) || !is_in(q, mechanism.points))
+    refuse(mechanism, Part::vector, i, "points along points that do not exist");
+  if (!direction(mechanism.points[p].position, mechanism.points[q].position))
+    refuse(mechanism, Part::vector, i,
+           "points from " + in_quotes(mechanism.points[p].name) + " to " +
+               in_quotes(mechanism.points[q].name) +
                ", which coincide; give them different positions");
   const auto carriers = vectors.of(i);
   const bool carried = std::ranges::any_of(carriers, [&, p = p, q = q](const Carriers::Pair& v) {
     return points.carries(v.body, p) && points.carries(v.body, q);
   });
   if (!carriers.empty() && !carried)
-    refuse(d, Part::vector, i,
-           "no body that carries it carries " + in_quotes(d.points[p].name) + " and " +
-               in_quotes(d.points[q].name) + "; add the points to the body");
+    refuse(mechanism, Part::vector, i,
+           "no body that carries it carries " + in_quotes(mechanism.points[p].name) + " and " +
+               in_quotes(mechanism.points[q].name) + "; add the points to the body");
 }
 
-void check_vectors(const Mechanism& d) {
-  for (int i = 0; i < static_cast<int>(d.vectors.size()); ++i) {
-    const Mechanism::Vec& u = d.vectors[i].direction;
-    if (!is_unit(u)) refuse(d, Part::vector, i, "is not of length 1; divide it by its length");
-    if (d.dimension == 2 && u[2] != 0)
-      refuse(d, Part::vector, i, "has a third component that is not 0; in the plane it must be");
+void check_vectors(const Mechanism& mechanism) {
+  for (int i = 0; i < static_cast<int>(mechanism.vectors.size()); ++i) {
+    const Mechanism::Vec& u = mechanism.vectors[i].direction;
+    if (!is_unit(u))
+      refuse(mechanism, Part::vector, i, "is not of length 1; divide it by its length");
+    if (mechanism.dimension == 2 && u[2] != 0)
+      refuse(mechanism, Part::vector, i,
+             "has a third component that is not 0; in the plane it must be");
   }
 }
 
 template <class Entry>
-void check_carried(const Mechanism& d, int body, std::vector<int> carried,
+void check_carried(const Mechanism& mechanism, int body, std::vector<int> carried,
                    const std::vector<Entry>& entries, const char* kind) {
   for (const int entity : carried)
     if (!is_in(entity, entries))
-      refuse(d, Part::body, body, std::string("carries a ") + kind + " that does not exist");
+      refuse(mechanism, Part::body, body,
+             std::string("carries a ") + kind + " that does not exist");
   std::ranges::sort(carried);
   const auto twice = std::ranges::adjacent_find(carried);
   if (twice != carried.end())
-    refuse(d, Part::body, body,
+    refuse(mechanism, Part::body, body,
            std::string("lists the ") + kind + " " + in_quotes(entries[*twice].name) +
                " twice; list it once");
 }
 
-void check_length(const Mechanism& d, int i) {
-  const Mechanism::Body& body = d.bodies[i];
+void check_length(const Mechanism& mechanism, int i) {
+  const Mechanism::Body& body = mechanism.bodies[i];
   if (body.points.size() != 2)
     refuse(
-        d, Part::body, i,
+        mechanism, Part::body, i,
         "has a length but " + std::to_string(body.points.size()) +
             " points; a length is for a body of exactly two. Leave it out, and draw the points at "
             "their distances: more than two keep those of the nominal positions");
   if (!std::isfinite(body.length->value) || !(body.length->value > 0))
-    refuse(d, Part::body, i, "the length is not above 0; give the distance of its two points");
-  const Mechanism::Point &p = d.points[body.points[0]], &q = d.points[body.points[1]];
+    refuse(mechanism, Part::body, i,
+           "the length is not above 0; give the distance of its two points");
+  const Mechanism::Point &p = mechanism.points[body.points[0]],
+                         &q = mechanism.points[body.points[1]];
   if (!direction(p.position, q.position))
-    refuse(d, Part::body, i,
+    refuse(mechanism, Part::body, i,
            "its points " + in_quotes(p.name) + " and " + in_quotes(q.name) +
                " coincide; estimate different positions");
 }
 
-void check_frame(const Mechanism& d, int i) {
-  const Mechanism::Body& body = d.bodies[i];
+void check_frame(const Mechanism& mechanism, int i) {
+  const Mechanism::Body& body = mechanism.bodies[i];
   const Mechanism::Frame& own = *body.own;
   if (i == 0 || body.length)
-    refuse(d, Part::body, i, "has a frame of its own and is the ground, or has a length; draw it");
+    refuse(mechanism, Part::body, i,
+           "has a frame of its own and is the ground, or has a length; draw it");
   if (own.points.size() != body.points.size() || own.vectors.size() != body.vectors.size())
-    refuse(d, Part::body, i, "has a frame of its own; give each point and vector in it");
-  std::vector<Mechanism::Vec> all = shape_of(d, body);
+    refuse(mechanism, Part::body, i, "has a frame of its own; give each point and vector in it");
+  std::vector<Mechanism::Vec> all = shape_of(mechanism, body);
   all.push_back(own.origin);
   for (const Mechanism::ExactVec& x : own.vectors) {
     all.push_back(Mechanism::rounded(x));
     if (!is_unit(all.back()))
-      refuse(d, Part::body, i, "has a vector in its frame that is not of length 1; divide it");
+      refuse(mechanism, Part::body, i,
+             "has a vector in its frame that is not of length 1; divide it");
   }
   for (const Mechanism::Vec& x : all)
-    if (!finite(x) || !finite(own.rotation) || (d.dimension == 2 && x[2] != 0))
-      refuse(d, Part::body, i,
+    if (!finite(x) || !finite(own.rotation) || (mechanism.dimension == 2 && x[2] != 0))
+      refuse(mechanism, Part::body, i,
              "has a frame with a number that is not finite or, in the plane, a third component");
 }
 
 // Refuses a moving body that carries two points or more and no vectors, when all its points
 // coincide.
-void check_extent(const Mechanism& d, int i) {
-  const Mechanism::Body& body = d.bodies[i];
+void check_extent(const Mechanism& mechanism, int i) {
+  const Mechanism::Body& body = mechanism.bodies[i];
   if (i == 0 || body.points.size() < 2 || !body.vectors.empty()) return;
-  const std::vector<Mechanism::Vec> points = shape_of(d, body);
+  const std::vector<Mechanism::Vec> points = shape_of(mechanism, body);
   for (const Mechanism::Vec& p : points)
     if (direction(points.front(), p)) return;
-  refuse(d, Part::body, i, "all its points coincide, a link of zero length; move them apart");
+  refuse(mechanism, Part::body, i,
+         "all its points coincide, a link of zero length; move them apart");
 }
 
 }  // namespace
 
-Mechanism::Vec carried_vector(const Mechanism& d, int body, int vector) {
-  const Mechanism::Body& b = d.bodies[body];
-  if (!b.own) return d.vectors[vector].direction;
+Mechanism::Vec carried_vector(const Mechanism& mechanism, int body, int vector) {
+  const Mechanism::Body& b = mechanism.bodies[body];
+  if (!b.own) return mechanism.vectors[vector].direction;
   const auto k = std::ranges::find(b.vectors, vector) - b.vectors.begin();
   return Mechanism::rounded(b.own->vectors[k]);
 }
 
-void check_names(const Mechanism& d) {
+void check_names(const Mechanism& mechanism) {
   std::set<std::string_view> bodies, joints, couplings, quantities;
-  check_unique(d, Part::body, d.bodies, bodies, "the bodies (the first is the ground)");
-  check_unique(d, Part::joint, d.joints, joints, "the joints");
-  check_unique(d, Part::coupling, d.couplings, couplings, "the couplings");
+  check_unique(mechanism, Part::body, mechanism.bodies, bodies,
+               "the bodies (the first is the ground)");
+  check_unique(mechanism, Part::joint, mechanism.joints, joints, "the joints");
+  check_unique(mechanism, Part::coupling, mechanism.couplings, couplings, "the couplings");
   const char* const among = "the points, vectors and coordinates";
-  check_unique(d, Part::point, d.points, quantities, among);
-  check_unique(d, Part::vector, d.vectors, quantities, among);
-  check_unique(d, Part::coordinate, d.coordinates, quantities, among);
+  check_unique(mechanism, Part::point, mechanism.points, quantities, among);
+  check_unique(mechanism, Part::vector, mechanism.vectors, quantities, among);
+  check_unique(mechanism, Part::coordinate, mechanism.coordinates, quantities, among);
 }
 
-void check_entities(const Mechanism& d) {
-  check_points(d);
-  check_vectors(d);
-  for (int i = 0; i < static_cast<int>(d.bodies.size()); ++i) {
-    check_carried(d, i, d.bodies[i].points, d.points, "point");
-    check_carried(d, i, d.bodies[i].vectors, d.vectors, "vector");
-    if (d.bodies[i].own) check_frame(d, i);
-    if (d.bodies[i].length) check_length(d, i);
-    check_extent(d, i);
+void check_entities(const Mechanism& mechanism) {
+  check_points(mechanism);
+  check_vectors(mechanism);
+  for (int i = 0; i < static_cast<int>(mechanism.bodies.size()); ++i) {
+    check_carried(mechanism, i, mechanism.bodies[i].points, mechanism.points, "point");
+    check_carried(mechanism, i, mechanism.bodies[i].vectors, mechanism.vectors, "vector");
+    if (mechanism.bodies[i].own) check_frame(mechanism, i);
+    if (mechanism.bodies[i].length) check_length(mechanism, i);
+    check_extent(mechanism, i);
   }
 }
 
-void check_vectors_along(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
-  for (int i = 0; i < static_cast<int>(d.vectors.size()); ++i)
-    if (d.vectors[i].along) check_along(d, i, points, vectors);
+void check_vectors_along(const Mechanism& mechanism, const Carriers& points,
+                         const Carriers& vectors) {
+  for (int i = 0; i < static_cast<int>(mechanism.vectors.size()); ++i)
+    if (mechanism.vectors[i].along) check_along(mechanism, i, points, vectors);
 }
 
 }  // namespace desmo

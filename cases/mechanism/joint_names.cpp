@@ -8,19 +8,19 @@
 
 namespace desmo {
 
-void name_joints(Mechanism& d) {
+void name_joints(Mechanism& mechanism) {
   // A type or a body may not exist: validate() refuses it later.
   const auto type_name = [](Mechanism::JointType type) {
     const auto form = std::ranges::find(joint_forms(), type, &JointForm::type);
     return form == joint_forms().end() ? std::string("joint") : std::string(form->name);
   };
   const auto body_name = [&](int b) {
-    return is_in(b, d.bodies) ? d.bodies[b].name : std::to_string(b);
+    return is_in(b, mechanism.bodies) ? mechanism.bodies[b].name : std::to_string(b);
   };
   std::set<std::string> taken;
-  for (const Mechanism::Joint& joint : d.joints) taken.insert(joint.name);
+  for (const Mechanism::Joint& joint : mechanism.joints) taken.insert(joint.name);
   std::map<std::string, int> counts;
-  for (Mechanism::Joint& joint : d.joints) {
+  for (Mechanism::Joint& joint : mechanism.joints) {
     if (!joint.name.empty()) continue;
     const std::string stem =
         type_name(joint.type) + "/" + body_name(joint.bodies[0]) + "/" + body_name(joint.bodies[1]);

@@ -55,9 +55,9 @@ Turn<S> turn(const S& angle) {
       x.set(i, value);
   };
 
-  constexpr double largest = 0x1p21;
+  constexpr double max_angle = 0x1p21;
   bool is_large = false;
-  for_each_lane([&](int i) { is_large = is_large || !(std::abs(lane(angle, i)) <= largest); });
+  for_each_lane([&](int i) { is_large = is_large || !(std::abs(lane(angle, i)) <= max_angle); });
   Turn<S> all{};
   const auto put = [&](int i, const Turn<double>& t) {
     set(all.sine, i, t.sine), set(all.of_sine, i, t.of_sine);

@@ -10,12 +10,12 @@ namespace desmo {
 
 namespace {
 
-using Members = std::vector<const ExplicitPart*>;
+using ExplicitParts = std::vector<const ExplicitPart*>;
 
-Members members_of(const Subsystem& subsystem) {
-  Members members;
-  for (const auto& member : subsystem) members.push_back(member.get());
-  return members;
+ExplicitParts parts_in(const Subsystem& subsystem) {
+  ExplicitParts parts;
+  for (const auto& part : subsystem) parts.push_back(part.get());
+  return parts;
 }
 
 /// Returns the positions in the state that the parts of a subsystem read or write, ascending.
@@ -55,10 +55,10 @@ bool are_alike(std::span<const ExplicitPart* const> a, std::span<const ExplicitP
 Batch::Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
              const std::vector<StateKind>& kinds, Guess guess)
     : subsystems_(subsystems), lanes_(static_cast<std::size_t>(kernels.front()->lanes)) {
-  const Members first = members_of(subsystems.front());
+  const ExplicitParts first = parts_in(subsystems.front());
   const std::vector<int> of_first = places_of(first);
   for (std::size_t l = 0; l < lanes_; ++l)
-    places_.push_back(places_in(members_of(subsystem_in(l)), first, of_first).value());
+    places_.push_back(places_in(parts_in(subsystem_in(l)), first, of_first).value());
 
   const std::vector<Use> uses = add_parts(kernels, first, of_first);
   std::vector<int> once, moving, starts, predicted, unwrapped;
@@ -94,15 +94,15 @@ std::vector<Batch::Use> Batch::add_parts(const SubsystemKernels& kernels,
                                          std::span<const int> of_first) {
   std::vector<Use> uses(of_first.size());
   for (std::size_t j = 0; j < kernels.size(); ++j) {
-    std::vector<ExplicitPart*> members;
-    for (std::size_t l = 0; l < lanes_; ++l) members.push_back(subsystem_in(l)[j].get());
+    std::vector<ExplicitPart*> equal_parts;
+    for (std::size_t l = 0; l < lanes_; ++l) equal_parts.push_back(subsystem_in(l)[j].get());
     std::vector<int> in;
     for (const int place : first[j]->places()) in.push_back(position_in(of_first, place));
     for (const int i : kernels[j]->read)
       if (!uses[in[i]].is_unknown) uses[in[i]].is_read = true;
     for (const int i : kernels[j]->unknowns) uses[in[i]].is_unknown = true;
     for (const int i : first[j]->kernel().angles) uses[in[i]].is_unwrapped = true;
-    parts_.emplace_back(*kernels[j], std::move(members), std::move(in));
+    parts_.emplace_back(*kernels[j], std::move(equal_parts), std::move(in));
   }
   return uses;
 }
@@ -116,7 +116,7 @@ std::vector<int> Batch::drivers() const {
 
 /// Returns the positions in the state of all numbers but unknowns and drivers. Subsystems that are
 /// solved alone read more than kernels do.
-std::vector<int> Batch::reads() const {
+std::vector<int> Batch::inputs() const {
   std::vector<int> all;
   for (const std::vector<int>& of_lane : places_)
     for (int n = 0; n < static_cast<int>(of_lane.size()); ++n)

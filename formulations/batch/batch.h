@@ -64,7 +64,7 @@ class Batch {
   /// PartInputs::drivers.
   std::vector<int> drivers() const;
   /// Returns all other positions in the state that the parts read, repeats included.
-  std::vector<int> reads() const;
+  std::vector<int> inputs() const;
   /// See ResidentPart.
   void bind(const PartOutputs& outputs);
   void begin_step(const StepHistory& history, const MotionRow& row);

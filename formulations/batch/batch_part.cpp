@@ -72,8 +72,8 @@ void BatchPart::solve(Batch& batch, State& s, std::span<const double> last, Leve
 /// Solves the parts of a subsystem up to the first that cannot be solved: the next may need it.
 void BatchPart::solve_alone(Subsystem& subsystem, State& s, std::span<const double> last,
                             Level level, PartResult& all) {
-  for (const auto& member : subsystem) {
-    const PartResult r = member->solve(s, last, level);
+  for (const auto& part : subsystem) {
+    const PartResult r = part->solve(s, last, level);
     all.residual2 += r.residual2;
     all.iterations = std::max(all.iterations, r.iterations);
     if (r.status == Status::solved) continue;
@@ -89,14 +89,14 @@ PartInputs BatchPart::inputs(PartInputs) const {
   };
   for (const Batch& batch : batches_) {
     append(batch.drivers(), all.drivers);
-    append(batch.reads(), all.others);
+    append(batch.inputs(), all.others);
   }
   if (left_over_)
-    for (const auto& member : *left_over_) {
-      const PartInputs inputs = member->inputs({});
+    for (const auto& part : *left_over_) {
+      const PartInputs inputs = part->inputs({});
       append(inputs.predicted, all.predicted);
       append(inputs.unwrapped, all.unwrapped);
-      append(member->places(), all.others);
+      append(part->places(), all.others);
     }
   std::ranges::sort(all.predicted);
   std::ranges::sort(all.unwrapped);
@@ -133,13 +133,13 @@ void BatchPart::restore(std::span<double> q) const {
 void BatchPart::forget() {
   for (Batch& batch : batches_) batch.forget();
   for (const Subsystem& subsystem : subsystems_)
-    for (const auto& member : subsystem) member->forget();
+    for (const auto& part : subsystem) part->forget();
 }
 
 PartCounts BatchPart::counts() const {
   PartCounts sum;
   for (const Subsystem& subsystem : subsystems_)
-    for (const auto& member : subsystem) sum += member->counts();
+    for (const auto& part : subsystem) sum += part->counts();
   return sum;
 }
 

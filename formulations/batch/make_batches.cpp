@@ -128,16 +128,16 @@ class BatchMaker {
 
   /// Appends a part to result_ that solves these subsystems in batches.
   void put(std::span<const Positions> subsystems) {
-    std::vector<Subsystem> members;
+    std::vector<Subsystem> subsystem_parts;
     std::vector<SubsystemKernels> of_subsystem = kernels(subsystems.front());
     DefinedPart all;
     PartDefinition& definition = all.definition;
     definition.constant = parts_[subsystems.front().front()].definition.constant;
     for (const Positions& subsystem : subsystems) {
-      members.emplace_back();
+      subsystem_parts.emplace_back();
       for (const int i : subsystem) {
         DefinedPart& part = parts_[i];
-        members.back().emplace_back(static_cast<ExplicitPart*>(part.solver.release()));
+        subsystem_parts.back().emplace_back(static_cast<ExplicitPart*>(part.solver.release()));
         definition.append(part.definition);
         all.as_named = all.as_named && part.as_named;
         all.tolerance = std::hypot(all.tolerance, part.tolerance);
@@ -148,8 +148,8 @@ class BatchMaker {
                             definition.groups.end());
     std::ranges::sort(definition.unknowns);
     std::ranges::sort(definition.equations);
-    all.solver =
-        std::make_unique<BatchPart>(std::move(of_subsystem), std::move(members), kinds_, guess_);
+    all.solver = std::make_unique<BatchPart>(std::move(of_subsystem), std::move(subsystem_parts),
+                                             kinds_, guess_);
     result_.push_back(std::move(all));
   }
 

@@ -20,7 +20,7 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
       residual2_(lanes_),
       changes_(lanes_) {
   const std::size_t size = model_.state_size();
-  entered_.resize(size * lanes_);
+  first_positions_.resize(size * lanes_);
   alone_.resize(size);
   last_alone_.resize(size);
 
@@ -30,7 +30,7 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
     const PartInLanes& part = parts_.emplace_back(put_in_lanes(parts, i, table));
     // A part that is solved lane by lane may start from any of its unknowns.
     PartInputs inputs{.predicted = part.unknowns, .unwrapped = {}, .others = {}, .drivers = {}};
-    if (part.together) inputs = part.members[0]->inputs(std::move(inputs));
+    if (part.together) inputs = part.solvers[0]->inputs(std::move(inputs));
     std::ranges::copy(inputs.predicted, std::back_inserter(predicted));
     std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped));
   }
@@ -42,14 +42,14 @@ SegmentsInLanes::PartInLanes SegmentsInLanes::put_in_lanes(std::vector<Parts>& p
                                                            std::size_t index,
                                                            const KernelTable& table) const {
   PartInLanes part{.unknowns = parts[0][index].definition.unknowns};
-  std::vector<ExplicitPart*> members;
+  std::vector<ExplicitPart*> equal_parts;
   for (Parts& of_lane : parts) {
-    part.members.push_back(std::move(of_lane[index].solver));
-    members.push_back(dynamic_cast<ExplicitPart*>(part.members.back().get()));
+    part.solvers.push_back(std::move(of_lane[index].solver));
+    equal_parts.push_back(dynamic_cast<ExplicitPart*>(part.solvers.back().get()));
   }
-  if (const ExplicitPart* const any = members.front())
+  if (const ExplicitPart* const any = equal_parts.front())
     if (const LaneKernel* k = table.find_lane_kernel(any->kernel().fingerprint, lanes_))
-      part.together.emplace(*k, std::move(members),
+      part.together.emplace(*k, std::move(equal_parts),
                             std::vector<int>(any->places().begin(), any->places().end()));
   return part;
 }
@@ -57,7 +57,7 @@ SegmentsInLanes::PartInLanes SegmentsInLanes::put_in_lanes(std::vector<Parts>& p
 std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request& request,
                                             State& state, Observer& observer) {
   const int length = (grid.instants + lanes_ - 1) / lanes_;
-  if (length < min_segment || !enter(grid, length, state)) return {};
+  if (length < min_segment || !continue_to_segments(grid, length, state)) return {};
   requested_ = requested_coordinates(request, model_.coordinates());
   for (int& coordinate : requested_) coordinate *= lanes_;
   beyond_.resize(requested_.size());
@@ -72,7 +72,7 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
     const StepInLanes step = solve();
     if (!step.ok) return {};
     max_residual2 = std::max(max_residual2, *std::ranges::max_element(residual2_));
-    if (i == 0) entered_ = state_.now().q;
+    if (i == 0) first_positions_ = state_.now().q;
     if (i == length) break;
     total.iterations += static_cast<long>(step.iterations) * lanes_;
     total.updates += step.updates * lanes_;
@@ -91,10 +91,10 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
 /// Moves all lanes at once from the first instant of the motion to the beginnings of their
 /// segments, by continuation in equal steps. Rates are those of a way that takes a unit of time.
 /// Returns false where a lane would need shorter steps or cannot be continued.
-bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
+bool SegmentsInLanes::continue_to_segments(const TimeGrid& grid, int length, const State& first) {
   int steps = 1;
   for (int l = 0; l < lanes_; ++l) {
-    for (const PartInLanes& part : parts_) part.members[l]->forget();
+    for (const PartInLanes& part : parts_) part.solvers[l]->forget();
     alone_ = first;
     if (!solve_alone(l, alone_, first.q)) return false;  // this finds the branches
     for (std::size_t k = 0; k < alone_.q.size(); ++k)  // constant coordinates are not solved again
@@ -128,7 +128,7 @@ bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first
 
 bool SegmentsInLanes::solve_alone(int lane, State& state, std::span<const double> last) {
   for (const PartInLanes& part : parts_)
-    if (part.members[lane]->solve(state, last, Level::position).status != Status::solved)
+    if (part.solvers[lane]->solve(state, last, Level::position).status != Status::solved)
       return false;
   return true;
 }
@@ -182,7 +182,7 @@ void SegmentsInLanes::solve_lane(PartInLanes& part, int lane, StepInLanes& step)
   }
   if (part.together)
     for (const int k : part.unknowns) alone_.q[k] = last_alone_[k];
-  const PartResult r = part.members[lane]->solve(alone_, last_alone_, Level::acceleration);
+  const PartResult r = part.solvers[lane]->solve(alone_, last_alone_, Level::acceleration);
   step.ok = step.ok && r.status == Status::solved;
   step.iterations = std::max(step.iterations, r.iterations);
   residual2_[lane] += r.residual2;
@@ -197,7 +197,7 @@ bool SegmentsInLanes::meet() const {
   for (int l = 0; l + 1 < lanes_; ++l) {
     for (std::size_t k = 0; k < coordinates; ++k) {
       ended[k] = state_.now().q[k * lanes_ + l];
-      begun[k] = entered_[k * lanes_ + l + 1];
+      begun[k] = first_positions_[k * lanes_ + l + 1];
     }
     if (!segments_meet(model_, ended, begun)) return false;
   }

@@ -29,7 +29,7 @@ class SegmentsInLanes final : public SegmentExecutor {
   SegmentsInLanes(const Model& model, std::vector<Parts> parts, const Settings& settings,
                   const KernelTable& table);
 
-  /// Returns nothing where the motion is too short, a segment could not be entered or solved, or
+  /// Returns nothing where the motion is too short, a segment could not be reached or solved, or
   /// two do not meet.
   std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
                              Observer& observer) override;
@@ -37,7 +37,7 @@ class SegmentsInLanes final : public SegmentExecutor {
  private:
   /// A moving part, with a solver for each lane.
   struct PartInLanes {
-    std::vector<std::unique_ptr<Part>> members{};
+    std::vector<std::unique_ptr<Part>> solvers{};
     std::vector<int> unknowns;
     // code for all lanes; nothing: it is solved lane by lane
     std::optional<KernelBatch> together{};
@@ -51,7 +51,7 @@ class SegmentsInLanes final : public SegmentExecutor {
 
   PartInLanes put_in_lanes(std::vector<Parts>& parts, std::size_t index,
                            const KernelTable& table) const;
-  bool enter(const TimeGrid& grid, int length, const State& first);
+  bool continue_to_segments(const TimeGrid& grid, int length, const State& first);
   bool solve_alone(int lane, State& state, std::span<const double> last);
   void predict(double h, int known);
   void write_drivers(const TimeGrid& grid, int length, int i);
@@ -67,7 +67,7 @@ class SegmentsInLanes final : public SegmentExecutor {
   MotionSampler motions_;  // samples the drivers in lanes
   std::vector<PartInLanes> parts_;
   BatchState state_;
-  LaneValues entered_;                        // positions at the first instant of each segment
+  LaneValues first_positions_;                // positions at the first instant of each segment
   LaneValues residual2_;                      // ‖Φ‖₂² of the step in each lane
   State alone_;                               // workspace: the state of a lane solved alone
   std::vector<double> last_alone_;            // workspace: last positions of that lane

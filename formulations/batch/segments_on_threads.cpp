@@ -187,7 +187,7 @@ void SegmentsOnThreads::solve(int k, const TimeGrid& grid, const Request& reques
   s.ended = false;
   TimeStepping& worker = *workers_[k];
   if (!worker.start_at(first.q, grid.time(s.begin))) return;
-  s.entered.assign(worker.q().begin(), worker.q().end());
+  s.first_position.assign(worker.q().begin(), worker.q().end());
   s.total = worker.run_on(cut(grid, s.begin, s.end), request, observer);
   if (s.total && !s.total->stopped && s.end < grid.instants)
     s.ended = worker.step(grid.time(s.end), Level::position).ok();
@@ -195,7 +195,7 @@ void SegmentsOnThreads::solve(int k, const TimeGrid& grid, const Request& reques
 
 bool SegmentsOnThreads::meet(int k) const {
   return segments_[k].ended &&
-         segments_meet(workers_[k]->model(), workers_[k]->q(), segments_[k + 1].entered);
+         segments_meet(workers_[k]->model(), workers_[k]->q(), segments_[k + 1].first_position);
 }
 
 }  // namespace desmo

@@ -29,10 +29,10 @@ class SegmentsOnThreads final : public SegmentExecutor {
  private:
   /// A segment and the outcome of solving it.
   struct Segment {
-    int begin = 0, end = 0;        // range of instants in the grid
-    std::vector<double> entered;   // position at its first instant, in coordinate order
-    bool ended = false;            // the worker has solved the first instant of the next segment
-    std::optional<Summary> total;  // nothing: it could not be solved
+    int begin = 0, end = 0;              // range of instants in the grid
+    std::vector<double> first_position;  // at its first instant, in coordinate order
+    bool ended = false;                  // whether the next segment's first instant is solved
+    std::optional<Summary> total;        // nothing: it could not be solved
     std::exception_ptr error;
   };
 

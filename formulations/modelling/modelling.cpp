@@ -12,24 +12,26 @@
 
 namespace desmo {
 
-ModellingResult model_mechanism(const Mechanism& d, const std::vector<Motion>& motions,
+ModellingResult model_mechanism(const Mechanism& mechanism, const std::vector<Motion>& motions,
                                 Modelling modelling) {
-  validate(d);
-  require_representable(d);
-  const auto drivers = std::ranges::count(d.coordinates, true, &Mechanism::Coordinate::driven);
+  validate(mechanism);
+  require_representable(mechanism);
+  const auto drivers =
+      std::ranges::count(mechanism.coordinates, true, &Mechanism::Coordinate::driven);
   if (static_cast<std::size_t>(drivers) != motions.size())
-    throw std::invalid_argument(d.name + ": " + std::to_string(motions.size()) + " motions for " +
-                                std::to_string(drivers) + " drivers");
-  const RigidBodies rigid = find_rigid_bodies(d);
-  const Structure structure = find_structure(d, rigid);
-  ModellingResult result{make_candidate_equations(d, rigid, structure, motions, modelling), {}};
+    throw std::invalid_argument(mechanism.name + ": " + std::to_string(motions.size()) +
+                                " motions for " + std::to_string(drivers) + " drivers");
+  const RigidBodies rigid = find_rigid_bodies(mechanism);
+  const Structure structure = find_structure(mechanism, rigid);
+  ModellingResult result{make_candidate_equations(mechanism, rigid, structure, motions, modelling),
+                         {}};
   Model& m = result.model;
 
   const std::size_t constant = m.groups.size() - structure.groups.size();
   std::vector<int> surplus(constant, 0);
   for (const StructuralGroup& g : structure.groups) surplus.push_back(g.restrictions - g.freedoms);
   result.left_out = leave_out_dependent(m, surplus);
-  result.idle = find_idle_freedoms(d, rigid);
+  result.idle = find_idle_freedoms(mechanism, rigid);
   keep_derivations(m);
   validate(m);
   return result;

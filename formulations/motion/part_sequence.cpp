@@ -52,13 +52,13 @@ void PartSequence::make_chains() {
       ++same_level;
     std::unique_ptr<PartChain> chain =
         solvers[first]->make_chain(std::span(solvers).subspan(first, same_level - first));
-    const int members = chain ? chain->size() : 1;
-    for (int i = 0; chain && i < members; ++i) {
+    const int parts = chain ? chain->size() : 1;
+    for (int i = 0; chain && i < parts; ++i) {
       moving_[first + i].chain = chain.get();
-      moving_[first + i].member = i;
+      moving_[first + i].chain_position = i;
     }
     if (chain) chains_.push_back(std::move(chain));
-    first += members;
+    first += parts;
   }
 }
 
@@ -89,10 +89,10 @@ PartSequence::Result PartSequence::solve_in_order(std::span<const PartInStep> pa
   while (!parts.empty() && parts.front().chain) {
     const PartInStep& first = parts.front();
     const PartChain::Result r =
-        first.chain->solve(state, first.member, std::min(level, first.level));
+        first.chain->solve(state, first.chain_position, std::min(level, first.level));
     result.add(r.residual2, r.iterations, r.total_iterations * first.unknowns);
     parts = parts.subspan(static_cast<std::size_t>(r.solved));
-    if (first.member + r.solved < first.chain->size()) break;
+    if (first.chain_position + r.solved < first.chain->size()) break;
   }
   return parts;
 }

@@ -93,8 +93,8 @@ class PartSequence {
     Part* solver;
     Level level;                 // highest level to which it is solved
     int position, unknowns;      // position among all parts, number of unknowns
-    PartChain* chain = nullptr;  // the chain of which it is a member; null: none
-    int member = 0;              // its position in the chain
+    PartChain* chain = nullptr;  // the chain that it belongs to; null: none
+    int chain_position = 0;      // its position in the chain
   };
   struct Resident {
     ResidentPart* part;

@@ -11,7 +11,7 @@
 
 namespace desmo {
 
-/// A solver of the segments of a motion that is known in advance. Each is entered by continuation
+/// A solver of the segments of a motion that is known in advance. Each is reached by continuation
 /// from the first position of the motion, and solved on its own. Whether all lie on one branch is
 /// checked where a segment ends and the next has begun (segments_meet).
 class SegmentExecutor {

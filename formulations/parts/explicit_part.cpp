@@ -18,19 +18,19 @@ constexpr int torn_steps[] = {1, 4};
 /// is tried by it once more when it is solved by itself.
 class ExplicitChain final : public PartChain {
  public:
-  /// members: of one kernel; they outlive the chain, and what their bindings point to stays where
+  /// parts: of one kernel; they outlive the chain, and what their bindings point to stays where
   /// it is.
-  explicit ExplicitChain(std::vector<const ExplicitPart*> members) : members_(std::move(members)) {
-    for (const ExplicitPart* const member : members_) bindings_.push_back(member->binding());
+  explicit ExplicitChain(std::vector<const ExplicitPart*> parts) : parts_(std::move(parts)) {
+    for (const ExplicitPart* const part : parts_) bindings_.push_back(part->binding());
   }
 
-  int size() const override { return static_cast<int>(members_.size()); }
+  int size() const override { return static_cast<int>(parts_.size()); }
 
   Result solve(State& s, int first, Level level) override {
-    while (assembled_ < size() && members_[assembled_]->assembled()) ++assembled_;
+    while (assembled_ < size() && parts_[assembled_]->assembled()) ++assembled_;
     if (assembled_ < size()) return {};
     ExplicitKernel::Solve* const solve =
-        members_.front()->kernel().solve[static_cast<std::size_t>(level)];
+        parts_.front()->kernel().solve[static_cast<std::size_t>(level)];
     const auto [accepted, iterations, total_iterations, residual2] =
         solve(s.q.data(), s.qd.data(), s.qdd.data(), bindings_.data() + first, size() - first);
     return {accepted, iterations, total_iterations, residual2};
@@ -39,10 +39,10 @@ class ExplicitChain final : public PartChain {
   void forget() override { assembled_ = 0; }
 
  private:
-  std::vector<const ExplicitPart*> members_;
-  // copies of the members' bindings, next to each other in memory
+  std::vector<const ExplicitPart*> parts_;
+  // copies of the parts' bindings, next to each other in memory
   std::vector<ExplicitBinding<double>> bindings_;
-  int assembled_ = 0;  // number of leading members found assembled since forget()
+  int assembled_ = 0;  // number of leading parts found assembled since forget()
 };
 
 }  // namespace
@@ -167,14 +167,14 @@ PartInputs ExplicitPart::inputs(PartInputs equations) const {
 }
 
 std::unique_ptr<PartChain> ExplicitPart::make_chain(std::span<Part* const> parts) {
-  std::vector<const ExplicitPart*> members;
+  std::vector<const ExplicitPart*> alike;
   for (Part* const part : parts) {
     const auto* const next = dynamic_cast<const ExplicitPart*>(part);
     if (!next || &next->kernel_ != &kernel_) break;
-    members.push_back(next);
+    alike.push_back(next);
   }
-  if (members.size() < 2) return nullptr;
-  return std::make_unique<ExplicitChain>(std::move(members));
+  if (alike.size() < 2) return nullptr;
+  return std::make_unique<ExplicitChain>(std::move(alike));
 }
 
 void ExplicitPart::forget() {

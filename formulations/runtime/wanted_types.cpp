@@ -21,7 +21,7 @@ constexpr double tolerance = 1e-6;  // of sampled states: only magnitudes of the
 /// compiler grows faster than this number.
 constexpr std::size_t max_unknowns = 100;
 /// Largest numbers of samples and of pivot samples of a type: more would tell nothing new.
-constexpr std::size_t enough_samples = 4 * sample_count, enough_for_pivots = 48;
+constexpr std::size_t max_samples = 4 * sample_count, max_pivot_samples = 48;
 
 bool has_all(const KernelTable& table, const std::string& fingerprint, LibraryContents contents) {
   return table.find_kernel(fingerprint) &&
@@ -134,8 +134,8 @@ std::vector<SampledType> wanted_types(const Variant& v, LibraryContents contents
       type.type = generate::without_names(std::move(type.type));
       uses.push_back({m.groups[part.groups.front()].name, static_cast<int>(part.unknowns.size())});
     }
-    type.samples.resize(std::min(type.samples.size(), enough_samples));
-    type.pivot_samples.resize(std::min(type.pivot_samples.size(), enough_for_pivots));
+    type.samples.resize(std::min(type.samples.size(), max_samples));
+    type.pivot_samples.resize(std::min(type.pivot_samples.size(), max_pivot_samples));
     ++uses[&type - types.data()].parts;
   }
   told.types = std::move(uses);

@@ -125,15 +125,16 @@ class Pieces : public ::testing::Test {
       return ExplicitChainResult{};
     };
 
-    std::vector<Subsystem> members;
+    std::vector<Subsystem> subsystems;
     std::vector<const ExplicitPart*> seen;
     for (const auto& parts : copies) {
-      members.push_back(copy(parts));
-      if (members.size() == refused_lane + 1) members.back().back() = part(parts.back(), refused);
-      for (const auto& member : members.back()) seen.push_back(member.get());
+      subsystems.push_back(copy(parts));
+      if (subsystems.size() == refused_lane + 1)
+        subsystems.back().back() = part(parts.back(), refused);
+      for (const auto& part : subsystems.back()) seen.push_back(part.get());
     }
-    const ExplicitPart* const other = members[refused_lane].back().get();
-    BatchPart together({kernels}, std::move(members), kinds(), Guess::previous);
+    const ExplicitPart* const other = subsystems[refused_lane].back().get();
+    BatchPart together({kernels}, std::move(subsystems), kinds(), Guess::previous);
 
     ASSERT_TRUE(reference_->assemble(0).ok());
     State s = stepping_of(*reference_).state();
@@ -194,14 +195,14 @@ TEST_F(Pieces, OfSeveralPartsThatAreRefusedFallBackAlone) {
 TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
   make(2);
   std::vector<std::vector<std::size_t>> copies;
-  std::vector<Subsystem> members;
+  std::vector<Subsystem> subsystems;
   SubsystemKernels kernels;
   for (const std::size_t lever : of_size(lever_size)) {
     copies.push_back({lever});
-    members.push_back(copy({lever}));
+    subsystems.push_back(copy({lever}));
     kernels = {KernelTable::built_in().find_lane_kernel(kernel(lever).fingerprint, 4)};
   }
-  BatchPart together({kernels}, std::move(members), kinds(), Guess::previous);
+  BatchPart together({kernels}, std::move(subsystems), kinds(), Guess::previous);
   std::vector<bool> read(model_.state_size(), false);
   const int there = definitions_[copies[1][0]].unknowns[3];
   read[there] = true;

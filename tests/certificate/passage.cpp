@@ -159,7 +159,7 @@ TEST(Passage, IsToldByTheFall) {
     SCOPED_TRACE(i);
     const Model m = scene.model(Polynomial{{scene.bars.point, 0.7 * scene.sign}});
     StuckPath path(m, -1, 1);
-    StraightCrossing crossing(m, path.present(), std::span(&scene.sign, 1));
+    SingularityCrossing crossing(m, path.present(), std::span(&scene.sign, 1));
     ASSERT_TRUE(crossing.find());
     int level = 0;
     while (crossing.distance(level) > crossing.reach()) ++level;
@@ -179,7 +179,7 @@ TEST(Passage, IsToldByTheFall) {
   const double direction = 1;
   const Model m = touching_branches(0);
   StuckPath path(m, -1, 1);
-  StraightCrossing crossing(m, path.present(), std::span(&direction, 1));
+  SingularityCrossing crossing(m, path.present(), std::span(&direction, 1));
   for (const int level : {4, 5, 6}) {
     const double driver = crossing.line().at(crossing.distance(level))[0];
     const auto right = double_solution(touching_branches(driver), std::array{-1.0}).front().q;

@@ -171,18 +171,19 @@ TEST(LiveRun, RefusesWhatWouldTakeTooLong) {
 /// The first row is assembled with the turns that lead to it from the drawing, whatever motions the
 /// model has: they are at 1000 rad and at 0 rad.
 TEST(LiveRun, CountsTheTurnsOfTheFirstRowWithoutChecks) {
-  MechanismBuilder d("gears", 2);
-  const int o = d.point("O", {0, 0}), a = d.point("A", {1, 0}), b = d.point("B", {0, 1}),
-            p = d.point("P", {3, 0}), c = d.point("C", {4, 0});
-  d.carry(MechanismBuilder::ground, {o, p});
-  const int crank = d.body("crank", {o, a, b}), wheel = d.body("wheel", {p, c});
-  d.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, crank, {o});
-  d.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, wheel, {p});
-  d.angle("a", {-1, o, a}).driven = true;
-  d.angle("b", {-1, o, b});
-  d.angle("c", {-1, p, c});
-  d.couple("gears", {{1, 1}, {2, -2}});
-  const Model m = model_mechanism(d.release(), {Polynomial{{0, 1}}}).model;
+  MechanismBuilder builder("gears", 2);
+  const int o = builder.point("O", {0, 0}), a = builder.point("A", {1, 0}),
+            b = builder.point("B", {0, 1}), p = builder.point("P", {3, 0}),
+            c = builder.point("C", {4, 0});
+  builder.carry(MechanismBuilder::ground, {o, p});
+  const int crank = builder.body("crank", {o, a, b}), wheel = builder.body("wheel", {p, c});
+  builder.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, crank, {o});
+  builder.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, wheel, {p});
+  builder.angle("a", {-1, o, a}).driven = true;
+  builder.angle("b", {-1, o, b});
+  builder.angle("c", {-1, p, c});
+  builder.couple("gears", {{1, 1}, {2, -2}});
+  const Model m = model_mechanism(builder.release(), {Polynomial{{0, 1}}}).model;
   const auto f = make_formulation(find_variant("group_automatic_lapack"), m);
   LiveRun run(*f, {.level = Level::position, .check = CheckMode::none});
   for (const auto& [time, angle] : {std::pair(1000., 0.1), {0., 100.1}}) {

@@ -103,15 +103,15 @@ TEST(Coordinates, KeepWhatSlidesBesideItsLineThere) {
                                   {Modelling::relative, 0.3},
                                   {Modelling::relative, 3 * rounding},
                                   {Modelling::relative, rounding / 3}}) {
-    MechanismBuilder d("beside", 2);
-    const int A = d.point("A", {0, 0, 0}), B = d.point("B", {0, 4, 0}),
-              C = d.point("C", {3, off, 0});
-    const int u = d.vector("u", {1, 0, 0});
-    d.carry(MechanismBuilder::ground, {A, B}, {u});
-    const int slider = d.body("slider", {C}, {u});
-    d.joint(Mechanism::JointType::prismatic, MechanismBuilder::ground, slider, {A, C}, {u});
-    d.component("x", C, 0).driven = true;
-    const Scene scene{"beside", d.release(), {Polynomial{{3, 1}}}, {0, 0.1, 11}, {}, {}};
+    MechanismBuilder builder("beside", 2);
+    const int A = builder.point("A", {0, 0, 0}), B = builder.point("B", {0, 4, 0}),
+              C = builder.point("C", {3, off, 0});
+    const int u = builder.vector("u", {1, 0, 0});
+    builder.carry(MechanismBuilder::ground, {A, B}, {u});
+    const int slider = builder.body("slider", {C}, {u});
+    builder.joint(Mechanism::JointType::prismatic, MechanismBuilder::ground, slider, {A, C}, {u});
+    builder.component("x", C, 0).driven = true;
+    const Scene scene{"beside", builder.release(), {Polynomial{{3, 1}}}, {0, 0.1, 11}, {}, {}};
     const Model m = make_model(scene, kind);
     const auto f =
         make_formulation(find_variant("group_automatic_lapack"), m, {.coordinates = kind});
@@ -152,14 +152,14 @@ TEST(Coordinates, KeepHalvesOfAStrutInLine) {
 
 TEST(Coordinates, OfTheModelHaveNamesThatTheMechanismLeaves) {
   Scene scene = four_bar(1);
-  Mechanism& d = scene.mechanism;
-  const std::string joint = d.joints.front().name;
+  Mechanism& mechanism = scene.mechanism;
+  const std::string joint = mechanism.joints.front().name;
   for (const char* internal : {"/angle", "/travel"}) {
-    d.points.push_back({joint + internal, {0, 0, 0}});
-    d.bodies.front().points.push_back(static_cast<int>(d.points.size()) - 1);
+    mechanism.points.push_back({joint + internal, {0, 0, 0}});
+    mechanism.bodies.front().points.push_back(static_cast<int>(mechanism.points.size()) - 1);
   }
-  d.points.push_back({d.bodies[1].name + "/x", {1, 0, 0}});
-  d.bodies.front().points.push_back(static_cast<int>(d.points.size()) - 1);
+  mechanism.points.push_back({mechanism.bodies[1].name + "/x", {1, 0, 0}});
+  mechanism.bodies.front().points.push_back(static_cast<int>(mechanism.points.size()) - 1);
   for (const Modelling kind : {Modelling::reference, Modelling::relative})
     EXPECT_NO_THROW(make_model(scene, kind));
 }

@@ -53,9 +53,9 @@ std::pair<int, bool> Instant::carrier(EntityId e) const {
 }
 
 int Instant::body_of(std::string_view constraint) const {
-  const Mechanism& d = framed.mechanism;
+  const Mechanism& mechanism = framed.mechanism;
   for (std::size_t r = 1; r < framed.rigid.list.size(); ++r)
-    if (constraint.starts_with(d.bodies[framed.rigid.list[r].bodies.front()].name + ": "))
+    if (constraint.starts_with(mechanism.bodies[framed.rigid.list[r].bodies.front()].name + ": "))
       return static_cast<int>(r);
   return -1;
 }
@@ -92,12 +92,14 @@ void Instant::move_bodies() {
 }
 
 void Instant::move_body(int r) {
-  const Mechanism& d = framed.mechanism;
+  const Mechanism& mechanism = framed.mechanism;
   const DerivedFrame& frame = framed.frames[r];
   const TreeJoint& hanging = framed.tree.hanging[r];
-  const Mechanism::Joint* const joint = hanging.joint < 0 ? nullptr : &d.joints[hanging.joint];
+  const Mechanism::Joint* const joint =
+      hanging.joint < 0 ? nullptr : &mechanism.joints[hanging.joint];
   const Body& parent = bodies_[hanging.parent];
-  const std::string own = joint ? joint->name : d.bodies[framed.rigid.list[r].bodies.front()].name;
+  const std::string own =
+      joint ? joint->name : mechanism.bodies[framed.rigid.list[r].bodies.front()].name;
   Body b = parent;
   b.origin = at(q, point(frame.origin));
   const auto turn = [&](EntityId angle, const Vector3d& axis) {
@@ -108,11 +110,11 @@ void Instant::move_body(int r) {
     b.omega += axis * qd[state];
   };
   const auto angle = [&] {
-    return m.find(frame.angle >= 0 ? d.coordinates[frame.angle].name : own + "/angle");
+    return m.find(frame.angle >= 0 ? mechanism.coordinates[frame.angle].name : own + "/angle");
   };
   const auto orient = [&](const Eigen::Matrix3d& axes) {
-    const Entity& e =
-        m.entities[m.find(d.bodies[framed.rigid.list[r].bodies.front()].name + "/orientation")];
+    const Entity& e = m.entities[m.find(mechanism.bodies[framed.rigid.list[r].bodies.front()].name +
+                                        "/orientation")];
     for (int k = 0; k < 3; ++k)
       b.screws.push_back({column.at(e.first) + 1 + k, axes.col(k), b.origin, Vector3d::Zero()});
     const Vector3d x(q[e.first + 1], q[e.first + 2], q[e.first + 3]),
@@ -121,12 +123,12 @@ void Instant::move_body(int r) {
     b.alpha += b.omega.cross(omega);
     b.omega += omega;
   };
-  const bool is_plane = d.dimension == 2;
+  const bool is_plane = mechanism.dimension == 2;
   const auto type = joint ? joint->type : Mechanism::JointType::spherical;
   if (!joint) {
     b = Body();
     b.origin = at(q, point(frame.origin));
-    for (int i = 0; i < d.dimension; ++i)
+    for (int i = 0; i < mechanism.dimension; ++i)
       b.screws.push_back({column.at(m.state_index(point(frame.origin)) + i), Vector3d::Zero(),
                           Vector3d::Zero(), Vector3d::Unit(i)});
     is_plane ? turn(angle(), Vector3d::UnitZ()) : orient(Eigen::Matrix3d::Identity());
@@ -151,9 +153,10 @@ void Instant::move_body(int r) {
     return;
   }
   // Q = P + s u
-  const EntityId s = m.find(frame.travel >= 0 ? d.coordinates[frame.travel].name : own + "/travel");
+  const EntityId s =
+      m.find(frame.travel >= 0 ? mechanism.coordinates[frame.travel].name : own + "/travel");
   int from = joint->points[0];
-  if (frame.travel >= 0) from = d.coordinates[frame.travel].of.from;
+  if (frame.travel >= 0) from = mechanism.coordinates[frame.travel].of.from;
   const int mine = joint->points[hanging.is_first ? 0 : 1];
   const double sign = from == mine ? -1 : 1;
   const EntityId u = vector(joint->vectors[0]);

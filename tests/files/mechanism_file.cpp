@@ -12,31 +12,31 @@ namespace desmo::mechanism_file_test {
 namespace {
 
 TEST(MechanismFile, IsReadInSiUnitsAndInItsOrder) {
-  const Mechanism d = parse_mechanism(slider_crank, "m.json");
-  EXPECT_EQ(d.name, "slider_crank");
-  EXPECT_EQ(d.dimension, 2);
-  EXPECT_EQ(d.length_unit, "m");
-  ASSERT_EQ(d.points.size(), 3u);
-  EXPECT_EQ(d.points[2].name, "C");
-  EXPECT_DOUBLE_EQ(d.points[2].position[0], 0.2);
-  EXPECT_DOUBLE_EQ(d.vectors[0].direction[0], 1);
-  ASSERT_EQ(d.bodies.size(), 4u);
-  EXPECT_EQ(d.bodies[0].name, "ground");
-  EXPECT_EQ(d.bodies[3].name, "slider");
-  EXPECT_DOUBLE_EQ(d.bodies[2].length.value().value, 0.15);
-  EXPECT_EQ(d.bodies[2].points, (std::vector{1, 2}));
-  ASSERT_EQ(d.joints.size(), 4u);
-  EXPECT_EQ(d.joints[0].name, "J1");
-  EXPECT_EQ(d.joints[1].name, "revolute/crank/rod");
-  EXPECT_EQ(d.joints[3].type, Mechanism::JointType::prismatic);
-  EXPECT_EQ(d.joints[3].bodies, (std::array{0, 3}));
-  EXPECT_EQ(d.joints[3].points, (std::vector{0, 2}));
-  ASSERT_EQ(d.coordinates.size(), 2u);
-  EXPECT_TRUE(d.coordinates[0].driven);
-  EXPECT_FALSE(d.coordinates[1].driven);
-  EXPECT_NEAR(d.coordinates[0].estimate.value(), std::numbers::pi / 18, 1e-15);
-  EXPECT_DOUBLE_EQ(d.coordinates[1].estimate.value(), 0.201);
-  EXPECT_EQ(d.coordinates[1].type, Mechanism::CoordinateType::along);
+  const Mechanism mechanism = parse_mechanism(slider_crank, "m.json");
+  EXPECT_EQ(mechanism.name, "slider_crank");
+  EXPECT_EQ(mechanism.dimension, 2);
+  EXPECT_EQ(mechanism.length_unit, "m");
+  ASSERT_EQ(mechanism.points.size(), 3u);
+  EXPECT_EQ(mechanism.points[2].name, "C");
+  EXPECT_DOUBLE_EQ(mechanism.points[2].position[0], 0.2);
+  EXPECT_DOUBLE_EQ(mechanism.vectors[0].direction[0], 1);
+  ASSERT_EQ(mechanism.bodies.size(), 4u);
+  EXPECT_EQ(mechanism.bodies[0].name, "ground");
+  EXPECT_EQ(mechanism.bodies[3].name, "slider");
+  EXPECT_DOUBLE_EQ(mechanism.bodies[2].length.value().value, 0.15);
+  EXPECT_EQ(mechanism.bodies[2].points, (std::vector{1, 2}));
+  ASSERT_EQ(mechanism.joints.size(), 4u);
+  EXPECT_EQ(mechanism.joints[0].name, "J1");
+  EXPECT_EQ(mechanism.joints[1].name, "revolute/crank/rod");
+  EXPECT_EQ(mechanism.joints[3].type, Mechanism::JointType::prismatic);
+  EXPECT_EQ(mechanism.joints[3].bodies, (std::array{0, 3}));
+  EXPECT_EQ(mechanism.joints[3].points, (std::vector{0, 2}));
+  ASSERT_EQ(mechanism.coordinates.size(), 2u);
+  EXPECT_TRUE(mechanism.coordinates[0].driven);
+  EXPECT_FALSE(mechanism.coordinates[1].driven);
+  EXPECT_NEAR(mechanism.coordinates[0].estimate.value(), std::numbers::pi / 18, 1e-15);
+  EXPECT_DOUBLE_EQ(mechanism.coordinates[1].estimate.value(), 0.201);
+  EXPECT_EQ(mechanism.coordinates[1].type, Mechanism::CoordinateType::along);
 }
 
 TEST(MechanismFile, MayHaveComments) {
@@ -56,26 +56,26 @@ TEST(MechanismFile, MayHaveComments) {
 }
 
 TEST(MechanismFile, DirectionsAreDefinedInAnyOrder) {
-  const Mechanism d = parse_mechanism(spatial, "m.json");
+  const Mechanism mechanism = parse_mechanism(spatial, "m.json");
   const auto expect_direction = [&](int i, double x, double y, double z) {
-    EXPECT_NEAR(d.vectors[i].direction[0], x, 1e-15) << i;
-    EXPECT_NEAR(d.vectors[i].direction[1], y, 1e-15) << i;
-    EXPECT_NEAR(d.vectors[i].direction[2], z, 1e-15) << i;
+    EXPECT_NEAR(mechanism.vectors[i].direction[0], x, 1e-15) << i;
+    EXPECT_NEAR(mechanism.vectors[i].direction[1], y, 1e-15) << i;
+    EXPECT_NEAR(mechanism.vectors[i].direction[2], z, 1e-15) << i;
   };
   expect_direction(0, 1, 0, 0);
   expect_direction(1, 0, 1, 0);
   expect_direction(3, std::sqrt(0.5), std::sqrt(0.5), 0);
-  EXPECT_EQ(d.vectors[3].along.value(), (std::array{1, 2}));
-  EXPECT_FALSE(d.vectors[0].along);
-  EXPECT_TRUE(d.coordinates[0].opposite);
-  EXPECT_EQ(d.coordinates[0].from.vector, 0);
-  EXPECT_EQ(d.coordinates[0].towards.vector, 1);
-  EXPECT_EQ(d.coordinates[1].axis, 2);
+  EXPECT_EQ(mechanism.vectors[3].along.value(), (std::array{1, 2}));
+  EXPECT_FALSE(mechanism.vectors[0].along);
+  EXPECT_TRUE(mechanism.coordinates[0].opposite);
+  EXPECT_EQ(mechanism.coordinates[0].from.vector, 0);
+  EXPECT_EQ(mechanism.coordinates[0].towards.vector, 1);
+  EXPECT_EQ(mechanism.coordinates[1].axis, 2);
 }
 
 /// The product of the two lines' lengths is below the least double.
 TEST(MechanismFile, NormalsOfShortLinesHaveRemainders) {
-  const Mechanism d = parse_mechanism(R"({
+  const Mechanism mechanism = parse_mechanism(R"({
     "format": "desmo-mechanism", "version": 1, "name": "short", "dimension": 3,
     "points": {"A": [0, 0, 0], "B": [3e-200, 1e-200, 0], "C": [0, 1e-200, 7e-200]},
     "vectors": {"n": {"normal": [["A", "B"], ["A", "C"]]}},
@@ -83,9 +83,9 @@ TEST(MechanismFile, NormalsOfShortLinesHaveRemainders) {
     "bodies": {"crank": {"points": ["A", "B"], "vectors": ["n"]}},
     "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"],
                 "vectors": ["n"]}]})",
-                                      "m.json");
-  EXPECT_NEAR(d.vectors[0].direction[0], 7 / std::sqrt(499), 1e-15);
-  for (const Remainder& r : d.vectors[0].remainder) {
+                                              "m.json");
+  EXPECT_NEAR(mechanism.vectors[0].direction[0], 7 / std::sqrt(499), 1e-15);
+  for (const Remainder& r : mechanism.vectors[0].remainder) {
     EXPECT_LE(std::abs(r.correction), 0x1p-53);
     EXPECT_LT(r.radius, 1e-29);
   }
@@ -93,9 +93,10 @@ TEST(MechanismFile, NormalsOfShortLinesHaveRemainders) {
 
 TEST(MechanismFile, JointsWithoutNamesAreToldApart) {
   const std::string joint = R"({"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]})";
-  const Mechanism d = parse_mechanism(replaced(slider_crank, joint, joint + ", " + joint), "");
-  EXPECT_EQ(d.joints[1].name, "revolute/crank/rod");
-  EXPECT_EQ(d.joints[2].name, "revolute/crank/rod/2");
+  const Mechanism mechanism =
+      parse_mechanism(replaced(slider_crank, joint, joint + ", " + joint), "");
+  EXPECT_EQ(mechanism.joints[1].name, "revolute/crank/rod");
+  EXPECT_EQ(mechanism.joints[2].name, "revolute/crank/rod/2");
 }
 
 // Every normal but the last waits for the next: resolving must not recurse, nor take quadratic

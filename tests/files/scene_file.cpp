@@ -162,10 +162,11 @@ std::vector<std::string> requested(const std::string& request) {
   const Scene s = parse_scene(scene_of(slider_crank, driven + ", \"request\": " + request), "", "");
   std::vector<std::string> names;
   for (const RequestedEntity& w : s.request) {
-    const Mechanism& d = s.mechanism;
-    names.push_back((w.kind == RequestedEntity::Kind::point    ? d.points[w.index].name
-                     : w.kind == RequestedEntity::Kind::vector ? d.vectors[w.index].name
-                                                               : d.coordinates[w.index].name) +
+    const Mechanism& mechanism = s.mechanism;
+    names.push_back((w.kind == RequestedEntity::Kind::point ? mechanism.points[w.index].name
+                     : w.kind == RequestedEntity::Kind::vector
+                         ? mechanism.vectors[w.index].name
+                         : mechanism.coordinates[w.index].name) +
                     " " + std::to_string(static_cast<int>(w.level)));
   }
   for (const RequestedMeasure& m : s.measures)

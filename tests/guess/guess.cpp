@@ -1,4 +1,4 @@
-// Where Newton–Raphson starts: less work for the same answers, and nothing extrapolated that was
+// Where Newton–Raphson starts: less work for the same answers, and nothing predicted from what was
 // not solved.
 
 #include "formulations/motion/prediction/guess.h"
@@ -22,8 +22,8 @@ namespace desmo::guess_test {
 namespace {
 
 constexpr Settings quadratic{.guess = Guess::quadratic};
-constexpr Guess extrapolating[] = {Guess::linear, Guess::quadratic, Guess::hermite3,
-                                   Guess::hermite5, Guess::adams8};
+constexpr Guess beyond_previous[] = {Guess::linear, Guess::quadratic, Guess::hermite3,
+                                     Guess::hermite5, Guess::adams8};
 
 /// 0.3 − 2t + 1.1t² + 0.7t³ − 0.9t⁴ + 0.4t⁵, cut to a degree, at an instant.
 State polynomial(double t, int degree) {
@@ -44,10 +44,10 @@ TEST(Guess, IsExactForPolynomialsOfItsDegreeWhateverTheSteps) {
   for (const auto& [guess, degree] : degrees)
     for (const double h : {0.1, 0.25, -0.05})
       for (const double before : {0.1, 0.07, 0.3, -0.2}) {
-        const StepHistory past{h, before, Level::acceleration, Level::acceleration};
+        const StepHistory history{h, before, Level::acceleration, Level::acceleration};
         const State last = polynomial(0.5, degree), earlier = polynomial(0.5 - before, degree);
         double q = NAN;
-        Extrapolation(guess, past)(first, last, earlier, &q);
+        Prediction(guess, history)(first, last, earlier, &q);
         EXPECT_NEAR(q, polynomial(0.5 + h, degree).q[0], 1e-12)
             << guess_name(guess) << ", " << h << " s after " << before << " s";
       }
@@ -55,11 +55,11 @@ TEST(Guess, IsExactForPolynomialsOfItsDegreeWhateverTheSteps) {
 
 TEST(Guess, MovesTheCoordinatesGivenAndNoOthers) {
   const State last{{1, 2, 3}, {10, 20, 30}, {100, 200, 300}};
-  const StepHistory past{0.1, 0, Level::acceleration};
+  const StepHistory history{0.1, 0, Level::acceleration};
   std::vector<double> q = {7, 8, 9};
-  Extrapolation(Guess::previous, past)(ranges_of(std::vector{0, 1, 2}), last, last, q.data());
+  Prediction(Guess::previous, history)(ranges_of(std::vector{0, 1, 2}), last, last, q.data());
   EXPECT_EQ(q, last.q);
-  Extrapolation(Guess::quadratic, past)(ranges_of(std::vector{0, 2}), last, last, q.data());
+  Prediction(Guess::quadratic, history)(ranges_of(std::vector{0, 2}), last, last, q.data());
   EXPECT_DOUBLE_EQ(q[0], 1 + 1 + 0.5);
   EXPECT_EQ(q[1], 2);
   EXPECT_DOUBLE_EQ(q[2], 3 + 3 + 1.5);
@@ -109,8 +109,8 @@ TEST(Guess, HasTheOrderOfItsName) {
     const State before = solved(0.4 - h), last = solved(0.4), sought = solved(0.4 + stretch * h);
     std::vector<double> q = last.q;
     const IndexRange all[] = {{0, static_cast<int>(q.size())}};
-    const StepHistory past{stretch * h, h, Level::acceleration, Level::acceleration};
-    Extrapolation(guess, past)(all, last, before, q.data());
+    const StepHistory history{stretch * h, h, Level::acceleration, Level::acceleration};
+    Prediction(guess, history)(all, last, before, q.data());
     return max_difference(q, sought.q);
   };
   for (const double stretch : {1.0, 0.6, 1.7})
@@ -129,16 +129,16 @@ TEST_P(Guesses, SaveIterationsAndChangeNoAnswer) {
     const Summary a = as_before->run(grid, {}, observer);
     ASSERT_TRUE(a.ok()) << m.name;
     long fewest = a.iterations;
-    for (const Guess guess : extrapolating) {
+    for (const Guess guess : beyond_previous) {
       const Settings settings{.guess = guess};
-      const auto extrapolated = make_formulation(GetParam(), m, settings);
-      const Summary b = extrapolated->run(grid, {}, observer);
+      const auto predicted = make_formulation(GetParam(), m, settings);
+      const Summary b = predicted->run(grid, {}, observer);
       ASSERT_TRUE(b.ok()) << m.name;
       EXPECT_LE(b.iterations, fewest) << m.name << ", " << guess_name(guess);
       fewest = b.iterations;
       EXPECT_LT(b.residual, settings.tolerance);
-      EXPECT_LT(max_difference(as_before->q(), extrapolated->q()), 1e-9) << m.name;
-      EXPECT_LT(max_difference(as_before->qdd(), extrapolated->qdd()), 1e-7) << m.name;
+      EXPECT_LT(max_difference(as_before->q(), predicted->q()), 1e-9) << m.name;
+      EXPECT_LT(max_difference(as_before->qdd(), predicted->qdd()), 1e-7) << m.name;
     }
     if (GetParam().is_explicit() && m.name == "four_bar")  // closed form: it iterates to assemble
       EXPECT_EQ(fewest, a.iterations);
@@ -150,7 +150,7 @@ TEST_P(Guesses, SaveIterationsAndChangeNoAnswer) {
 TEST_P(Guesses, TakeUnequalAndBackwardSteps) {
   const Model m = truck_model(1);
   const auto plain = make_formulation(GetParam(), m);
-  for (const Guess guess : extrapolating) {
+  for (const Guess guess : beyond_previous) {
     const auto f = make_formulation(GetParam(), m, {.guess = guess});
     long iterations = 0, plain_iterations = 0;
     for (const double t : {0.0, 0.01, 0.012, 0.03, 0.03, 0.028, 0.01, 0.02, 0.0201, 0.05}) {
@@ -180,7 +180,7 @@ TEST_P(Guesses, DoWithVelocitiesWhereTheLastInstantHadNoMore) {
   EXPECT_FALSE(std::ranges::equal(f->q(), straight->q()));
 }
 
-TEST_P(Guesses, ExtrapolateNothingAfterAFailure) {
+TEST_P(Guesses, PredictFromNothingAfterAFailure) {
   const Model m = four_bar_model(2);
   const auto f = make_formulation(GetParam(), m, {.guess = Guess::hermite5}),
              fresh = make_formulation(GetParam(), m);

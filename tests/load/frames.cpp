@@ -23,39 +23,39 @@ Mechanism::Vec plain(const Vector3d& x) { return {x[0], x[1], x[2]}; }
 
 /// Gives each body a frame with its first point as origin, turned by this vector. Its drawing is
 /// off by degrees and by per cent of the mechanism's size, otherwise for each body.
-Mechanism in_rough_frames(Mechanism d, Vector3d rotation, double size) {
-  if (d.dimension == 2) rotation = {0, 0, rotation[2]};
+Mechanism in_rough_frames(Mechanism mechanism, Vector3d rotation, double size) {
+  if (mechanism.dimension == 2) rotation = {0, 0, rotation[2]};
   const Eigen::Matrix3d turn = AngleAxisd(rotation.norm(), rotation.normalized()).matrix();
-  for (std::size_t b = 1; b < d.bodies.size(); ++b) {
-    Mechanism::Body& body = d.bodies[b];
-    const Vector3d origin(d.points[body.points[0]].position.data());
+  for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
+    Mechanism::Body& body = mechanism.bodies[b];
+    const Vector3d origin(mechanism.points[body.points[0]].position.data());
     Vector3d off(std::cos(2.0 * b), std::sin(5.0 * b), std::cos(3.0 * b));
-    if (d.dimension == 2) off[2] = 0;
+    if (mechanism.dimension == 2) off[2] = 0;
     const double angle = (b % 2 == 0 ? 0.06 : -0.06);
     Mechanism::Frame& own = body.own.emplace();
     own.origin = plain(origin + 0.02 * size * off);
-    own.rotation = plain(rotation + angle * (d.dimension == 2 ? Vector3d::UnitZ() : off));
+    own.rotation = plain(rotation + angle * (mechanism.dimension == 2 ? Vector3d::UnitZ() : off));
     const auto in_frame = [&](const Vector3d& x) -> Mechanism::ExactVec {
       const Vector3d local = turn.transpose() * x;
       return {local[0], local[1], local[2]};
     };
     for (const int p : body.points)
-      own.points.push_back(in_frame(Vector3d(d.points[p].position.data()) - origin));
+      own.points.push_back(in_frame(Vector3d(mechanism.points[p].position.data()) - origin));
     for (const int v : body.vectors)
-      own.vectors.push_back(in_frame(Vector3d(d.vectors[v].direction.data())));
+      own.vectors.push_back(in_frame(Vector3d(mechanism.vectors[v].direction.data())));
   }
-  return d;
+  return mechanism;
 }
 
 /// Returns the text of a mechanism without what only frames need to give.
-std::string text_without_drawing(const Mechanism& d) {
-  nlohmann::ordered_json text = nlohmann::ordered_json::parse(write_mechanism(d));
+std::string text_without_drawing(const Mechanism& mechanism) {
+  nlohmann::ordered_json text = nlohmann::ordered_json::parse(write_mechanism(mechanism));
   const auto erase = [&](const char* kind, const auto& all, const std::vector<int>& kept) {
     for (int i = 0; i < static_cast<int>(all.size()); ++i)
       if (std::ranges::find(kept, i) == kept.end()) text[kind].erase(all[i].name);
   };
-  erase("points", d.points, d.bodies[0].points);
-  erase("vectors", d.vectors, d.bodies[0].vectors);
+  erase("points", mechanism.points, mechanism.bodies[0].points);
+  erase("vectors", mechanism.vectors, mechanism.bodies[0].vectors);
   return text.dump();
 }
 

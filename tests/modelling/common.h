@@ -128,10 +128,10 @@ inline Mechanism spatial_four_bar() {
   return d.release_pinned({z});
 }
 
-inline Mechanism driven(Mechanism d, const std::vector<std::string>& names) {
-  for (Mechanism::Coordinate& c : d.coordinates)
+inline Mechanism driven(Mechanism mechanism, const std::vector<std::string>& names) {
+  for (Mechanism::Coordinate& c : mechanism.coordinates)
     c.driven = std::ranges::find(names, c.name) != names.end();
-  return d;
+  return mechanism;
 }
 
 }  // namespace desmo

@@ -39,15 +39,15 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   d.along("backward", S, D, x);
   d.component("Px", P, 0);
   d.component("Py", P, 1);
-  const Mechanism described = d.release_pinned();
-  const Solved s(described, turning, instants(2));
-  expect_rigid_bodies(described, s, 1e-10);
+  const Mechanism mechanism = d.release_pinned();
+  const Solved s(mechanism, turning, instants(2));
+  expect_rigid_bodies(mechanism, s, 1e-10);
   for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
-    const auto at = [&](int p) { return s.position(k, described.points[p].name); };
+    const auto at = [&](int p) { return s.position(k, mechanism.points[p].name); };
     const auto direction = [&](const Mechanism::Direction& e) -> Vec {
       if (!e.is_given()) return {1, 0, 0};
       if (e.is_line()) return at(e.to) - at(e.from);
-      return s.position(k, described.vectors[e.vector].name);
+      return s.position(k, mechanism.vectors[e.vector].name);
     };
     expect_near(at(B), polar(1, 1 + s.time(k)), 1e-12, "B");
     for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -69,7 +69,7 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
 
 /// Adds the angle of every line of every body from the x axis, both ways round, and from the
 /// line before it.
-std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
+std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& mechanism) {
   std::vector<Mechanism::Coordinate> added;
   const auto measure = [&](const Mechanism::Direction& of, const Mechanism::Direction& from) {
     Mechanism::Coordinate c;
@@ -80,8 +80,8 @@ std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
     added.push_back(c);
   };
   Mechanism::Direction before{};
-  for (std::size_t b = 1; b < d.bodies.size(); ++b) {
-    const std::vector<int>& points = d.bodies[b].points;
+  for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
+    const std::vector<int>& points = mechanism.bodies[b].points;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const Mechanism::Direction now = line(points[i - 1], points[i]);
       measure(now, {});
@@ -90,7 +90,7 @@ std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
       before = now;
     }
   }
-  d.coordinates.insert(d.coordinates.end(), added.begin(), added.end());
+  mechanism.coordinates.insert(mechanism.coordinates.end(), added.begin(), added.end());
   return added;
 }
 
@@ -102,7 +102,7 @@ TEST(Coordinates, EveryPlanarBodyIsMeasuredAgainOverTheWholeMotion) {
     ++mechanisms;
     SCOPED_TRACE(scene.mechanism.name);
     const auto added = measure_all_angles(scene.mechanism);
-    const Mechanism& d = scene.mechanism;
+    const Mechanism& mechanism = scene.mechanism;
     const Model m = make_model(scene);
     for (const Constraint& c : m.constraints)
       visit_kind(c.kind, [&](auto kind) {
@@ -116,7 +116,8 @@ TEST(Coordinates, EveryPlanarBodyIsMeasuredAgainOverTheWholeMotion) {
       for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
         const auto direction = [&](const Mechanism::Direction& e, bool rate) -> Vec {
           if (!e.is_given()) return rate ? Vec{} : Vec{1, 0, 0};
-          const std::string &from = d.points[e.from].name, &to = d.points[e.to].name;
+          const std::string &from = mechanism.points[e.from].name,
+                            &to = mechanism.points[e.to].name;
           return rate ? s.velocity(k, to) - s.velocity(k, from)
                       : s.position(k, to) - s.position(k, from);
         };
@@ -195,7 +196,7 @@ TEST(Coordinates, DistanceAlongASlideLeavesItBesideTheLineAsItIsDrawn) {
 
 TEST(Coordinates, AnyOfThemCanDrive) {
   // The same four-bar in the same motion, driven by what another coordinate of it measured.
-  const auto described = [](const std::string& driver) {
+  const auto driven_by = [](const std::string& driver) {
     Sketch d = four_bar_sketch();
     d.distance("BD", 2, 1);
     d.angle("mu", line(2, 3), line(0, 2));     // B-C from A-B
@@ -205,10 +206,10 @@ TEST(Coordinates, AnyOfThemCanDrive) {
     return driven(d.release_pinned(), {driver});
   };
   const double t = 0.2;
-  const Solved expected(described("theta"), turning, std::vector{t});
+  const Solved expected(driven_by("theta"), turning, std::vector{t});
   for (const char* driver : {"psi", "BD", "mu", "gamma", "Cx", "By"}) {
     const double value = expected.scalar(0, driver);
-    Solved actual(described(driver), {Polynomial{{value}}}, std::vector{0.0});
+    Solved actual(driven_by(driver), {Polynomial{{value}}}, std::vector{0.0});
     for (const char* name : {"B", "C"})
       expect_near(actual.position(0, name), expected.position(0, name), 1e-10,
                   name + std::string(" driven by ") + driver);

@@ -116,27 +116,28 @@ TEST(Coupling, ThatContradictsOthersIsRefusedWithAllOfThem) {
 
 /// One way leads out of the table; the other tells by how much they contradict each other.
 TEST(Coupling, ThatContradictsOthersAtTheEndOfItsTableIsOffByANumber) {
-  Mechanism d = ring_of_gears({20, 30, 50}, 20);
+  Mechanism mechanism = ring_of_gears({20, 30, 50}, 20);
   for (const double before : {0.1, 41.0}) {
     const double end = 30 * 1.3 - before;  // of the arguments, near where turn2 is drawn, or not
-    d.couplings[0].table = {{end, end + 41.1}, {0, -41.1}, SplineEnds::natural, std::nullopt};
-    const std::string message = refusal([&] { model_mechanism(d, turning); });
+    mechanism.couplings[0].table = {
+        {end, end + 41.1}, {0, -41.1}, SplineEnds::natural, std::nullopt};
+    const std::string message = refusal([&] { model_mechanism(mechanism, turning); });
     EXPECT_NE(message.find("contradict each other as it moves"), std::string::npos) << message;
     EXPECT_NE(message.find("is off by 0."), std::string::npos) << message;
   }
 }
 
 TEST(Coupling, TakesAFreedom) {
-  Mechanism d = ring_of_gears({20, 30, 50, 40}, 20);
-  d.couplings.erase(d.couplings.begin() + 1, d.couplings.end());
-  expect_refused(d, turning, {"under-constrained: 2 freedoms among 'wheel3', 'wheel4'"});
+  Mechanism mechanism = ring_of_gears({20, 30, 50, 40}, 20);
+  mechanism.couplings.erase(mechanism.couplings.begin() + 1, mechanism.couplings.end());
+  expect_refused(mechanism, turning, {"under-constrained: 2 freedoms among 'wheel3', 'wheel4'"});
 }
 
 TEST(Coupling, ByATableThatMeansNothingIsRefused) {
   const auto with = [](std::vector<double> at, std::vector<double> values, SplineEnds ends) {
-    Mechanism d = ring_of_gears({20, 30, 50, 40}, 20);
-    d.couplings[0].table = {std::move(at), std::move(values), ends};
-    return d;
+    Mechanism mechanism = ring_of_gears({20, 30, 50, 40}, 20);
+    mechanism.couplings[0].table = {std::move(at), std::move(values), ends};
+    return mechanism;
   };
   using enum SplineEnds;
   expect_refused(with({0, 1}, {0}, natural), turning, {"coupling 'mesh1': ", "2 times but 1"});
@@ -152,13 +153,13 @@ TEST(Coupling, ByATableThatMeansNothingIsRefused) {
 TEST(Coupling, OfWhatIsMeaninglessIsRefused) {
   const Mechanism right = ring_of_gears({20, 30, 50, 40}, 20);
   const auto with = [&](auto&& change) {
-    Mechanism d = right;
-    change(d);
-    return d;
+    Mechanism mechanism = right;
+    change(mechanism);
+    return mechanism;
   };
   using Terms = std::vector<Mechanism::Coupling::Term>;
   const auto terms = [&](const Terms& list) {
-    return with([&](Mechanism& d) { d.couplings[0].terms = list; });
+    return with([&](Mechanism& mechanism) { mechanism.couplings[0].terms = list; });
   };
   expect_refused(terms({{0, 1.0}}), turning, {"coupling 'mesh1': relates 1 coordinate"});
   expect_refused(terms({{0, 1.0}, {1, 1.0}, {2, 1.0}, {3, 1.0}, {0, 1.0}}), turning,
@@ -166,10 +167,10 @@ TEST(Coupling, OfWhatIsMeaninglessIsRefused) {
   expect_refused(terms({{0, 1.0}, {0, 1.0}}), turning, {"lists 'turn1' twice"});
   expect_refused(terms({{0, 1.0}, {9, 1.0}}), turning, {"coordinate that does not exist"});
   expect_refused(terms({{0, 1.0}, {1, 0.0}}), turning, {"the factor of 'turn2' is 0"});
-  expect_refused(with([](Mechanism& d) { d.couplings[1].name = "mesh1"; }), turning,
+  expect_refused(with([](Mechanism& mechanism) { mechanism.couplings[1].name = "mesh1"; }), turning,
                  {"given twice among the couplings"});
-  expect_refused(with([](Mechanism& d) { d.coordinates[1].driven = true; }), {still, still},
-                 {"coupling 'mesh1': all its coordinates are driven"});
+  expect_refused(with([](Mechanism& mechanism) { mechanism.coordinates[1].driven = true; }),
+                 {still, still}, {"coupling 'mesh1': all its coordinates are driven"});
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ TEST(Derived, CouplerPointsAndVectorsFollowRigidly) {
     if (on_vector) vectors.push_back(d.vector("w", polar(1, -2)));
     d.bodies({{"crank", {A, B}}, {"rocker", {D, C}}, {"coupler", {B, C, P, Q, B2}, vectors}});
     d.angle("theta", line(A, B)).driven = true;
-    const Mechanism described = d.release_pinned();
-    const Solved s(described, turning, instants(2));
-    expect_rigid_bodies(described, s, 1e-11);
+    const Mechanism mechanism = d.release_pinned();
+    const Solved s(mechanism, turning, instants(2));
+    expect_rigid_bodies(mechanism, s, 1e-11);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k)
       expect_near(s.position(k, "B2"), s.position(k, "B"), 1e-13, "B2");
   }
@@ -77,9 +77,9 @@ TEST(Derived, SpatialBodiesFollowRigidlyWhateverTheyAreBuiltOn) {
     };
     drive(0, 0, o[0], 0.3), drive(0, 1, o[1], -0.2), drive(0, 2, o[2], 0.1);
     drive(1, 1, p[1], 0.25), drive(1, 2, p[2], -0.35), drive(2, 2, q[2], 0.2);
-    const Mechanism described = d.release();
-    const Solved s(described, motions, instants(0.5));
-    expect_rigid_bodies(described, s, 1e-10);
+    const Mechanism mechanism = d.release();
+    const Solved s(mechanism, motions, instants(0.5));
+    expect_rigid_bodies(mechanism, s, 1e-10);
     EXPECT_NEAR(s.position(50, "p0")[0], b.points[0] == o ? o[0] + 0.15 : s.position(50, "p0")[0],
                 1e-12);
     if (HasFailure()) FAIL() << b.name;
@@ -100,10 +100,10 @@ TEST(Derived, PointOfTwoBodiesBeyondTheBasisOfBoth) {
       d.bodies({{"hanging", {P, F}}, {"last", {E, F}}});
     }
     d.angle("theta", line(A, B)).driven = true;
-    const Mechanism described = d.release_pinned();
-    const Solved s(described, turning, instants(1));
+    const Mechanism mechanism = d.release_pinned();
+    const Solved s(mechanism, turning, instants(1));
     EXPECT_EQ(s.model().structural_groups(), with_hanging_link ? 3 : 2);
-    expect_rigid_bodies(described, s, 1e-11);
+    expect_rigid_bodies(mechanism, s, 1e-11);
   }
 }
 
@@ -119,12 +119,12 @@ TEST(Derived, DriverOfAPointThatALaterGroupBuildsOn) {
       d.angle("drive", line(A, B)).driven = true;
     else
       d.component("drive", B, 0).driven = true;
-    const Mechanism described = d.release_pinned();
+    const Mechanism mechanism = d.release_pinned();
     const double start = by_angle ? 1 : std::cos(1);
     SCOPED_TRACE(by_angle ? "angle" : "component");
-    const Solved s(described, {Polynomial{{start, -0.5}}}, instants(0.5));
+    const Solved s(mechanism, {Polynomial{{start, -0.5}}}, instants(0.5));
     EXPECT_EQ(s.model().structural_groups(), 2);
-    expect_rigid_bodies(described, s, 1e-11);
+    expect_rigid_bodies(mechanism, s, 1e-11);
   }
 }
 
@@ -149,9 +149,9 @@ TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
     d.joint(JointType::prismatic, guide, block, {B, O}, {u});
     d.angle("theta", line(A, B)).driven = true;
     SCOPED_TRACE(static_cast<int>(kind));
-    Mechanism described = d.release_pinned();
-    if (kind == Guide::along_with_a_link) described.bodies[block].length = 2;
-    const ModellingResult modelled = model_mechanism(described, turning);
+    Mechanism mechanism = d.release_pinned();
+    if (kind == Guide::along_with_a_link) mechanism.bodies[block].length = 2;
+    const ModellingResult modelled = model_mechanism(mechanism, turning);
     EXPECT_EQ(modelled.model.structural_groups(), 2);
     EXPECT_FALSE(std::ranges::any_of(modelled.left_out, &LeftOut::redundant));
     const Solved s(modelled.model, instants(1));

@@ -40,24 +40,24 @@ Mechanism joined(int dimension) {
   return d.release();
 }
 
-Mechanism with_frames(Mechanism d) {
-  for (std::size_t b = 1; b < d.bodies.size(); ++b) {
-    Mechanism::Frame& own = d.bodies[b].own.emplace();
-    own.points.resize(d.bodies[b].points.size(), Mechanism::ExactVec{2., 1., 0.});
-    own.vectors.resize(d.bodies[b].vectors.size(), {Derived(1), Derived(0), Derived(0)});
+Mechanism with_frames(Mechanism mechanism) {
+  for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
+    Mechanism::Frame& own = mechanism.bodies[b].own.emplace();
+    own.points.resize(mechanism.bodies[b].points.size(), Mechanism::ExactVec{2., 1., 0.});
+    own.vectors.resize(mechanism.bodies[b].vectors.size(), {Derived(1), Derived(0), Derived(0)});
   }
-  return d;
+  return mechanism;
 }
 
 TEST(Frame, LetsJointsKeepNothingOfTheDrawing) {
   for (const int dimension : {2, 3})
     for (const bool has_frames : {false, true}) {
-      Mechanism d = joined(dimension);
-      if (has_frames) d = with_frames(d);
-      const RigidBodies rigid = find_rigid_bodies(d);
+      Mechanism mechanism = joined(dimension);
+      if (has_frames) mechanism = with_frames(mechanism);
+      const RigidBodies rigid = find_rigid_bodies(mechanism);
       const Structure together = dimension == 2 ? Structure{{{{1, 2}, {}}}, {-1, 0, 0}}
                                                 : Structure{{{{1, 2, 3}, {}}}, {-1, 0, 0, 0}};
-      const Model all = make_candidate_equations(d, rigid, together, {});
+      const Model all = make_candidate_equations(mechanism, rigid, together, {});
       int found = 0;
       for (const Constraint& c : all.constraints)
         if (c.source == EquationSource::joint) {
@@ -70,19 +70,20 @@ TEST(Frame, LetsJointsKeepNothingOfTheDrawing) {
 
 TEST(Frame, ThatIsNotWholeIsRefused) {
   const auto refused = [](auto&& change, const std::string& what) {
-    Mechanism d = with_frames(joined(2));
-    change(d, *d.bodies[1].own);
-    expect_refused(d, {}, {what});
+    Mechanism mechanism = with_frames(joined(2));
+    change(mechanism, *mechanism.bodies[1].own);
+    expect_refused(mechanism, {}, {what});
   };
   using Frame = Mechanism::Frame;
   refused([](Mechanism&, Frame& f) { f.points.clear(); }, "'slider': has a frame of its own; give");
   refused([](Mechanism&, Frame& f) { f.vectors[0][1] = 1e-4; }, "not of length 1");
   refused([](Mechanism&, Frame& f) { f.rotation[2] = NAN; }, "has a frame with a number that is");
   refused([](Mechanism&, Frame& f) { f.points[0][2] = 1; }, "or, in the plane, a third component");
-  refused([](Mechanism& d, Frame& f) { d.bodies[0].own = f; }, "is the ground, or has a length");
+  refused([](Mechanism& mechanism, Frame& f) { mechanism.bodies[0].own = f; },
+          "is the ground, or has a length");
   refused(
-      [](Mechanism& d, Frame&) {
-        d.joints[0] = {"weld", JointType::fixed, {0, 1}, {}, {}};
+      [](Mechanism& mechanism, Frame&) {
+        mechanism.joints[0] = {"weld", JointType::fixed, {0, 1}, {}, {}};
       },
       "joint 'weld': fixes 'slider', which has a frame of its own");
 }
@@ -136,10 +137,10 @@ TEST(Frame, IsTurnedBySharedVectorsThatAreApart) {
               T = d.point("T", {3, 1, 2});
     const int a = d.body("a", {P, Q, R}, {u, v}), b = d.body("b", {P, S, T}, {u, v});
     d.joint(JointType::revolute, a, b, {P}, {u});
-    const Mechanism described = d.release();
+    const Mechanism mechanism = d.release();
     const Structure together{{{{1, 2}, {}}}, {-1, 0, 0}};
     const FramedMechanism framed =
-        put_frames(described, find_rigid_bodies(described), together, Modelling::reference);
+        put_frames(mechanism, find_rigid_bodies(mechanism), together, Modelling::reference);
     EXPECT_EQ(framed.vectors.size(), share < 1 ? 2u : 3u);
   }
 }

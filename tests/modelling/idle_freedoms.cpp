@@ -13,8 +13,8 @@ namespace {
 
 using Idle = std::vector<IdleFreedom>;
 
-Mechanism::Body& coupler_of(Mechanism& d) {
-  return *std::ranges::find(d.bodies, "coupler", &Mechanism::Body::name);
+Mechanism::Body& coupler_of(Mechanism& mechanism) {
+  return *std::ranges::find(mechanism.bodies, "coupler", &Mechanism::Body::name);
 }
 
 TEST(IdleFreedom, OfACouplerBetweenTwoSphericalJointsIsItsSpin) {
@@ -26,17 +26,17 @@ TEST(IdleFreedom, OfACouplerBetweenTwoSphericalJointsIsItsSpin) {
 TEST(IdleFreedom, NeitherInThePlaneNorOfWhatCarriesMore) {
   EXPECT_TRUE(
       model_mechanism(driven(four_bar_sketch().release_pinned(), {"theta"}), turning).idle.empty());
-  Mechanism d = library_scene("rssr").mechanism;
-  coupler_of(d).vectors.push_back(0);  // a vector across its line, which tells the spin
-  EXPECT_TRUE(find_idle_freedoms(d, find_rigid_bodies(d)).empty());
+  Mechanism mechanism = library_scene("rssr").mechanism;
+  coupler_of(mechanism).vectors.push_back(0);  // a vector across its line, which tells the spin
+  EXPECT_TRUE(find_idle_freedoms(mechanism, find_rigid_bodies(mechanism)).empty());
 }
 
 TEST(IdleFreedom, ThatMovesAPointIsUndetermined) {
   Scene scene = library_scene("rssr");
-  Mechanism& d = scene.mechanism;
-  d.points.push_back({"E", {0.3, 0.5, 0.9}});
-  coupler_of(d).points.push_back(static_cast<int>(d.points.size()) - 1);
-  expect_refused(d, scene.motions,
+  Mechanism& mechanism = scene.mechanism;
+  mechanism.points.push_back({"E", {0.3, 0.5, 0.9}});
+  coupler_of(mechanism).points.push_back(static_cast<int>(mechanism.points.size()) - 1);
+  expect_refused(mechanism, scene.motions,
                  {"under-constrained", "1 freedom",
                   "'coupler' is free to spin about the line of "
                   "'A' and 'B'"});

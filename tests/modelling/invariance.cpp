@@ -12,7 +12,7 @@ namespace {
 
 /// The description with its lists in another order; the ground stays first, and the relative order
 /// of driven coordinates, which the motions follow.
-Mechanism permuted(const Mechanism& d, unsigned seed) {
+Mechanism permuted(const Mechanism& mechanism, unsigned seed) {
   std::mt19937 random(seed);
   const auto shuffled = [&](std::size_t n, std::size_t keep) {
     std::vector<int> order(n);
@@ -30,16 +30,18 @@ Mechanism permuted(const Mechanism& d, unsigned seed) {
     for (std::size_t i = 0; i < order.size(); ++i) result[i] = list[order[i]];
     return result;
   };
-  const auto points = shuffled(d.points.size(), 0), vectors = shuffled(d.vectors.size(), 0),
-             bodies = shuffled(d.bodies.size(), 1), joints = shuffled(d.joints.size(), 0);
+  const auto points = shuffled(mechanism.points.size(), 0),
+             vectors = shuffled(mechanism.vectors.size(), 0),
+             bodies = shuffled(mechanism.bodies.size(), 1),
+             joints = shuffled(mechanism.joints.size(), 0);
   const auto new_point = moved(points), new_vector = moved(vectors), new_body = moved(bodies);
   const auto point = [&](int& p) { p = p < 0 ? p : new_point[p]; };
   const auto vector = [&](int& v) { v = v < 0 ? v : new_vector[v]; };
-  Mechanism r = d;
-  r.points = take(d.points, points);
-  r.vectors = take(d.vectors, vectors);
-  r.bodies = take(d.bodies, bodies);
-  r.joints = take(d.joints, joints);
+  Mechanism r = mechanism;
+  r.points = take(mechanism.points, points);
+  r.vectors = take(mechanism.vectors, vectors);
+  r.bodies = take(mechanism.bodies, bodies);
+  r.joints = take(mechanism.joints, joints);
   std::ranges::stable_partition(r.coordinates, [](const auto& c) { return c.driven; });
   for (Mechanism::Vector& v : r.vectors)
     if (v.along) point((*v.along)[0]), point((*v.along)[1]);
@@ -152,11 +154,12 @@ struct Guise : testing::TestWithParam<int> {
 };
 
 TEST_P(Guise, NamesOfBodiesDoNotMatter) {
-  Mechanism d = sample.mechanism;
-  for (std::size_t b = 1; b < d.bodies.size(); ++b)
-    d.bodies[b].name = "body " + std::to_string(d.bodies.size() - b);
-  for (std::size_t j = 0; j < d.joints.size(); ++j) d.joints[j].name = "j" + std::to_string(j);
-  expect_image(d, sample.motions, 1, std::identity{});
+  Mechanism mechanism = sample.mechanism;
+  for (std::size_t b = 1; b < mechanism.bodies.size(); ++b)
+    mechanism.bodies[b].name = "body " + std::to_string(mechanism.bodies.size() - b);
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j)
+    mechanism.joints[j].name = "j" + std::to_string(j);
+  expect_image(mechanism, sample.motions, 1, std::identity{});
 }
 
 TEST_P(Guise, OrderDoesNotMatter) {
@@ -166,15 +169,15 @@ TEST_P(Guise, OrderDoesNotMatter) {
 
 TEST_P(Guise, OrderWithinBodiesAndJointsDoesNotMatter) {
   // What a body is built on changes, so that the equations do; their number does not.
-  Mechanism d = sample.mechanism;
-  for (Mechanism::Body& b : d.bodies) std::ranges::reverse(b.points);
-  for (Mechanism::Joint& j : d.joints) {
+  Mechanism mechanism = sample.mechanism;
+  for (Mechanism::Body& b : mechanism.bodies) std::ranges::reverse(b.points);
+  for (Mechanism::Joint& j : mechanism.joints) {
     using enum Mechanism::JointType;
     std::swap(j.bodies[0], j.bodies[1]);
     if (j.type == prismatic || j.type == cylindrical) std::swap(j.points[0], j.points[1]);
     if (j.type == universal) std::swap(j.vectors[0], j.vectors[1]);
   }
-  expect_image(d, sample.motions, 1, std::identity{});
+  expect_image(mechanism, sample.motions, 1, std::identity{});
 }
 
 TEST_P(Guise, TheUnitOfLengthDoesNotMatter) {
@@ -192,10 +195,11 @@ TEST_P(Guise, WhereItStandsDoesNotMatter) {
   const auto image = [&](const Vec& p) {
     return rotated(p, sample.mechanism.dimension) + Vec{3, -2, 0};
   };
-  Mechanism d = sample.mechanism;
-  for (Mechanism::Point& p : d.points) p.position = image(p.position);
-  for (Mechanism::Vector& v : d.vectors) v.direction = rotated(v.direction, d.dimension);
-  expect_image(d, sample.motions, 1, image);
+  Mechanism mechanism = sample.mechanism;
+  for (Mechanism::Point& p : mechanism.points) p.position = image(p.position);
+  for (Mechanism::Vector& v : mechanism.vectors)
+    v.direction = rotated(v.direction, mechanism.dimension);
+  expect_image(mechanism, sample.motions, 1, image);
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, Guise, testing::Values(0, 1, 2), [](const auto& info) {
@@ -205,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, Guise, testing::Values(0, 1, 2), [](const auto
 TEST(Invariance, ADriverOfASharedPointIsThatOfTheFirstBodyThatCarriesIt) {
   // B is on crank and coupler. Listed first, the crank is driven and a group of its own; listed
   // second, it is solved with the coupler. The motion is the same.
-  const auto described = [](bool crank_first) {
+  const auto mechanism = [](bool crank_first) {
     Sketch d("by abscissa", 2);
     const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
     const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
@@ -217,7 +221,7 @@ TEST(Invariance, ADriverOfASharedPointIsThatOfTheFirstBodyThatCarriesIt) {
   };
   const std::vector<Motion> abscissa{Polynomial{{std::cos(1.0), -0.5}}};
   const std::vector<double> times = instants(0.5);
-  const Solved a(described(true), abscissa, times), b(described(false), abscissa, times);
+  const Solved a(mechanism(true), abscissa, times), b(mechanism(false), abscissa, times);
   EXPECT_EQ(a.model().structural_groups(), 2);
   EXPECT_EQ(a.model().groups[0].bodies, std::vector<std::string>{"crank"});
   EXPECT_EQ(b.model().structural_groups(), 1);

@@ -11,8 +11,8 @@ namespace desmo::redundancy_test {
 namespace {
 
 TEST(Redundant, ParallelogramWithThreeCranksIsAcceptedAndReported) {
-  const Mechanism d = parallelogram({0, 2, 5});
-  const ModellingResult modelled = model_mechanism(d, turning);
+  const Mechanism mechanism = parallelogram({0, 2, 5});
+  const ModellingResult modelled = model_mechanism(mechanism, turning);
   const Model& m = modelled.model;
   EXPECT_EQ(m.structural_groups(), 1);
   EXPECT_EQ(m.groups[0].bodies,
@@ -52,15 +52,15 @@ TEST(Redundant, ParallelogramWithThreeCranksIsAcceptedAndReported) {
 }
 
 TEST(Redundant, PlanarFourBarInSpaceWithParallelAxesIsAccepted) {
-  const Mechanism described = spatial_four_bar();
-  const ModellingResult modelled = model_mechanism(described, turning);
+  const Mechanism mechanism = spatial_four_bar();
+  const ModellingResult modelled = model_mechanism(mechanism, turning);
   EXPECT_TRUE(std::ranges::any_of(modelled.left_out, &LeftOut::redundant));
   const std::vector<double> times = instants(1.5);
   for (const char* id :
        {"global_automatic_eigen", "group_automatic_klu", "block_automatic_lapack"}) {
     const Solved s(modelled.model, times, id);
     const auto nominal = [&](const char* name) {
-      return std::ranges::find(described.points, name, &Mechanism::Point::name)->position;
+      return std::ranges::find(mechanism.points, name, &Mechanism::Point::name)->position;
     };
     for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
       const Vec b = s.position(k, "B"), c = s.position(k, "C");

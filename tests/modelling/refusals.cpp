@@ -14,9 +14,9 @@ namespace desmo::refusals_test {
 namespace {
 
 TEST(Refused, LinkOfZeroLength) {
-  Mechanism d = four_bar_sketch().release_pinned();
-  d.points[3].position = d.points[2].position;  // C at B
-  expect_refused(driven(std::move(d), {"theta"}), turning, {"'coupler'", "zero length"});
+  Mechanism mechanism = four_bar_sketch().release_pinned();
+  mechanism.points[3].position = mechanism.points[2].position;  // C at B
+  expect_refused(driven(std::move(mechanism), {"theta"}), turning, {"'coupler'", "zero length"});
 }
 
 TEST(Refused, ThirdCrankOfAnotherLength) {
@@ -59,12 +59,12 @@ TEST(Refused, TooManyDrivers) {
 }
 
 TEST(Refused, MissingDriver) {
-  const Mechanism d = four_bar_sketch().release_pinned();
-  expect_refused(d, {},
+  const Mechanism mechanism = four_bar_sketch().release_pinned();
+  expect_refused(mechanism, {},
                  {"under-constrained", "'crank'", "'coupler'", "'rocker'",
                   "add a driver, such as 'theta', or a joint"});
   // In the plane a rod between two pins cannot spin about their line.
-  EXPECT_LACKS(refusal([&] { model_mechanism(d, {}); }), "spin");
+  EXPECT_LACKS(refusal([&] { model_mechanism(mechanism, {}); }), "spin");
 }
 
 TEST(Refused, BothDriversOnOneChainWhileAnotherIsFree) {
@@ -163,11 +163,11 @@ TEST(Refused, SpatialAngleFromASegmentOrBetweenDirectionsThatAreNotNormal) {
             oblique = d.ground_vector("oblique", {0.5, 0, std::sqrt(0.75)});
   d.body("arm", {O, P}, {y});
   d.spatial_angle("phi", line(O, P), x, oblique).driven = true;
-  Mechanism described = d.release_pinned({y});
-  expect_refused(described, turning, {"'phi'"});
-  described.coordinates[0].from = line(O, X);
-  described.coordinates[0].towards = line(O, Z);
-  expect_refused(described, turning, {"'phi'"});
+  Mechanism mechanism = d.release_pinned({y});
+  expect_refused(mechanism, turning, {"'phi'"});
+  mechanism.coordinates[0].from = line(O, X);
+  mechanism.coordinates[0].towards = line(O, Z);
+  expect_refused(mechanism, turning, {"'phi'"});
 }
 
 /// A crank and two bodies between its end A and a point B, each with a shape of its own, in the

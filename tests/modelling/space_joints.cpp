@@ -52,8 +52,9 @@ class SpaceJoint : public testing::TestWithParam<Joined> {
 
 TEST_P(SpaceJoint, LeavesTheOtherFreedoms) {
   const Joined& joined = GetParam();
-  const Mechanism d = free_body(joined.type);
-  expect_refused(d, {}, {std::string("under-constrained: ") + joined.left + " among 'body'"});
+  const Mechanism mechanism = free_body(joined.type);
+  expect_refused(mechanism, {},
+                 {std::string("under-constrained: ") + joined.left + " among 'body'"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, SpaceJoint,

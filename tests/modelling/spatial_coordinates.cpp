@@ -34,11 +34,11 @@ TEST(Coordinates, SpatialOnesMeasureGeometry) {
     d.distance("reach", F, T);
     d.along("slide", P, S, r).driven = true;
     d.along("back", S, O, r);
-    const Mechanism described = d.release();
+    const Mechanism mechanism = d.release();
     const std::vector<double> times = instants(1);
-    const Solved s(described, {Polynomial{{start, 0.7}}, Polynomial{{0, 1}}, Polynomial{{1, 0.5}}},
+    const Solved s(mechanism, {Polynomial{{start, 0.7}}, Polynomial{{0, 1}}, Polynomial{{1, 0.5}}},
                    times);
-    expect_rigid_bodies(described, s, 1e-10);
+    expect_rigid_bodies(mechanism, s, 1e-10);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
       const double t = times[k], phi = start + 0.7 * t;
       const Vec now{std::cos(phi), 0, std::sin(phi)}, sleeve_at = o + (3 + 0.5 * t) * now;
@@ -68,10 +68,10 @@ TEST(Coordinates, SpatialSlidingJointsHaveADistanceUnlessOneIsDeclared) {
     d.joint(JointType::prismatic, Sketch::ground, block, {O, P}, {x, z});
     if (declared) d.along("s", P, O, x);  // either way round
     d.component("at", P, 0).driven = true;
-    const Mechanism described = d.release();
-    const Solved s(described, {Polynomial{{2, 1}}}, instants(0.5));
+    const Mechanism mechanism = d.release();
+    const Solved s(mechanism, {Polynomial{{2, 1}}}, instants(0.5));
     const Model& m = s.model();
-    const std::string automatic = described.joints.front().name + "/distance";
+    const std::string automatic = mechanism.joints.front().name + "/distance";
     const bool present =
         std::ranges::find(m.entities, automatic, &Entity::name) != m.entities.end();
     ASSERT_EQ(present, !declared);

@@ -70,18 +70,19 @@ TEST(Continuation, TakesEightStepsAndHalvesThemFourTimes) {
 /// Turns count where angles are coupled: a step of 0.3 rad may lead to another branch, and one of
 /// 0.03 rad takes three times as long.
 TEST(Continuation, TurnsCoupledAnglesByATenthOfARadian) {
-  MechanismBuilder d("gears", 2);
+  MechanismBuilder builder("gears", 2);
   for (const int k : {0, 1}) {
     const std::string name = std::to_string(k);
-    const int a = d.point("A" + name, {3. * k, 0, 0}), b = d.point("B" + name, {3. * k + 1, 0, 0});
-    d.carry(MechanismBuilder::ground, {a});
-    const int gear = d.body("gear" + name, {a, b});
-    d.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, gear, {a});
-    d.angle("t" + name, {-1, a, b}).driven = k == 0;
+    const int a = builder.point("A" + name, {3. * k, 0, 0}),
+              b = builder.point("B" + name, {3. * k + 1, 0, 0});
+    builder.carry(MechanismBuilder::ground, {a});
+    const int gear = builder.body("gear" + name, {a, b});
+    builder.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, gear, {a});
+    builder.angle("t" + name, {-1, a, b}).driven = k == 0;
   }
-  d.couple("mesh", {{0, 1}, {1, 1}});
+  builder.couple("mesh", {{0, 1}, {1, 1}});
   const double way = 3 * 2 * std::numbers::pi;
-  const Model m = model_mechanism(d.release(), {Polynomial{{way}}}).model;
+  const Model m = model_mechanism(builder.release(), {Polynomial{{way}}}).model;
   const Followed followed(m, 1);
   EXPECT_EQ(followed.end, ContinuationEnd::reached);
   EXPECT_LE(way / followed.steps, 0.3);

@@ -16,9 +16,10 @@
 namespace desmo::groups_test {
 namespace {
 
-Model model(const Mechanism& d) {
-  const auto drivers = std::ranges::count(d.coordinates, true, &Mechanism::Coordinate::driven);
-  return model_mechanism(d, std::vector<Motion>(drivers, still)).model;
+Model model(const Mechanism& mechanism) {
+  const auto drivers =
+      std::ranges::count(mechanism.coordinates, true, &Mechanism::Coordinate::driven);
+  return model_mechanism(mechanism, std::vector<Motion>(drivers, still)).model;
 }
 
 /// A link by its name and those of its pins.
@@ -106,34 +107,35 @@ TEST(Groups, OfSixBarsDependOnTheDrivenLink) {
 }
 
 TEST(Groups, OfATriadAreNotSplit) {
-  const Mechanism d = linkage("triad",
-                              {{"A", {0, 0, 0}},
-                               {"B", {4, 0, 0}},
-                               {"C", {2, 5, 0}},
-                               {"P", {1, 1, 0}},
-                               {"Q", {3, 1, 0}},
-                               {"R", {2, 2.5, 0}},
-                               {"F", {-1, 1, 0}}},
-                              {"ground", {"F", "B", "C"}},
-                              {{"arm", {"F", "A"}},
-                               {"leg a", {"A", "P"}},
-                               {"leg b", {"B", "Q"}},
-                               {"leg c", {"C", "R"}},
-                               {"plate", {"P", "Q", "R"}}},
-                              {{"F", "A"}});
-  expect_groups(model(d), {{{"arm"}, 1, {}}, {{"leg a", "leg b", "leg c", "plate"}, 0, {0}}});
+  const Mechanism mechanism = linkage("triad",
+                                      {{"A", {0, 0, 0}},
+                                       {"B", {4, 0, 0}},
+                                       {"C", {2, 5, 0}},
+                                       {"P", {1, 1, 0}},
+                                       {"Q", {3, 1, 0}},
+                                       {"R", {2, 2.5, 0}},
+                                       {"F", {-1, 1, 0}}},
+                                      {"ground", {"F", "B", "C"}},
+                                      {{"arm", {"F", "A"}},
+                                       {"leg a", {"A", "P"}},
+                                       {"leg b", {"B", "Q"}},
+                                       {"leg c", {"C", "R"}},
+                                       {"plate", {"P", "Q", "R"}}},
+                                      {{"F", "A"}});
+  expect_groups(model(mechanism),
+                {{{"arm"}, 1, {}}, {{"leg a", "leg b", "leg c", "plate"}, 0, {0}}});
 }
 
 TEST(Groups, OfAStewartPlatformWhosePoseIsGivenAreThePlatformAndItsLegs) {
-  Mechanism d = driven(library_scene("stewart").mechanism, {});
+  Mechanism mechanism = driven(library_scene("stewart").mechanism, {});
   const std::pair<std::string, int> components[] = {{"B1", 0}, {"B1", 1}, {"B1", 2},
                                                     {"B2", 0}, {"B2", 2}, {"B3", 2}};
   for (const auto& [point, axis] : components) {
-    Mechanism::Coordinate& c = d.coordinates.emplace_back();
+    Mechanism::Coordinate& c = mechanism.coordinates.emplace_back();
     c.name = point + "xyz"[axis];
     c.type = CoordinateType::component;
-    c.point = static_cast<int>(std::ranges::find(d.points, point, &Mechanism::Point::name) -
-                               d.points.begin());
+    c.point = static_cast<int>(std::ranges::find(mechanism.points, point, &Mechanism::Point::name) -
+                               mechanism.points.begin());
     c.axis = axis;
     c.driven = true;
   }
@@ -142,7 +144,7 @@ TEST(Groups, OfAStewartPlatformWhosePoseIsGivenAreThePlatformAndItsLegs) {
     const std::string n = std::to_string(i);
     expected.push_back({{"lower" + n, "upper" + n}, 0, {0}});
   }
-  expect_groups(model(d), expected);
+  expect_groups(model(mechanism), expected);
 }
 
 TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
@@ -169,20 +171,20 @@ TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
 }
 
 TEST(Groups, OfIndependentMechanismsInOneFileDoNotKnowEachOther) {
-  const Mechanism d = linkage("two",
-                              {{"A", {0, 0, 0}},
-                               {"B", {1, 1.7, 0}},
-                               {"D", {6, 0, 0}},
-                               {"C", {4, 5, 0}},
-                               {"P", {20, 0, 0}},
-                               {"Q", {21, 1, 0}}},
-                              {"ground", {"P", "A", "D"}},
-                              {{"other crank", {"P", "Q"}},
-                               {"crank", {"A", "B"}},
-                               {"coupler", {"B", "C"}},
-                               {"rocker", {"D", "C"}}},
-                              {{"A", "B"}, {"P", "Q"}});
-  expect_groups(model(d),
+  const Mechanism mechanism = linkage("two",
+                                      {{"A", {0, 0, 0}},
+                                       {"B", {1, 1.7, 0}},
+                                       {"D", {6, 0, 0}},
+                                       {"C", {4, 5, 0}},
+                                       {"P", {20, 0, 0}},
+                                       {"Q", {21, 1, 0}}},
+                                      {"ground", {"P", "A", "D"}},
+                                      {{"other crank", {"P", "Q"}},
+                                       {"crank", {"A", "B"}},
+                                       {"coupler", {"B", "C"}},
+                                       {"rocker", {"D", "C"}}},
+                                      {{"A", "B"}, {"P", "Q"}});
+  expect_groups(model(mechanism),
                 {{{"other crank"}, 1, {}}, {{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {1}}});
 }
 
@@ -201,11 +203,12 @@ TEST(Groups, OfTheTruckHangOnTheAxle) {
 }
 
 TEST(Groups, HaveAsManyRestrictionsAsFreedomsUnlessSomeAreRedundant) {
-  const auto structure_of = [](const Mechanism& d) {
-    return find_structure(d, find_rigid_bodies(d));
+  const auto structure_of = [](const Mechanism& mechanism) {
+    return find_structure(mechanism, find_rigid_bodies(mechanism));
   };
-  for (const Mechanism& d : {truck_suspension(2).mechanism, four_bar(7).mechanism})
-    for (const StructuralGroup& g : structure_of(d).groups) EXPECT_EQ(g.restrictions, g.freedoms);
+  for (const Mechanism& mechanism : {truck_suspension(2).mechanism, four_bar(7).mechanism})
+    for (const StructuralGroup& g : structure_of(mechanism).groups)
+      EXPECT_EQ(g.restrictions, g.freedoms);
   // 3 · 6 freedoms, 4 · 5 + 1 restrictions.
   const Structure s = structure_of(spatial_four_bar());
   ASSERT_EQ(s.groups.size(), 1u);

@@ -93,7 +93,7 @@ void add_blocks(const Model& m, Json& groups) {
 }
 
 /// Returns the group of each rigid body, `ground` for the first.
-std::vector<GroupId> group_of_rigid_bodies(const Model& m, const Mechanism& d,
+std::vector<GroupId> group_of_rigid_bodies(const Model& m, const Mechanism& mechanism,
                                            const RigidBodies& rigid) {
   std::map<std::string, GroupId> by_name;
   for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
@@ -101,15 +101,16 @@ std::vector<GroupId> group_of_rigid_bodies(const Model& m, const Mechanism& d,
       for (const std::string& body : m.groups[g].bodies) by_name[body] = g;
   std::vector<GroupId> groups(rigid.list.size(), ground);
   for (std::size_t r = 1; r < groups.size(); ++r)
-    groups[r] = by_name.at(d.bodies[rigid.list[r].bodies.front()].name);
+    groups[r] = by_name.at(mechanism.bodies[rigid.list[r].bodies.front()].name);
   return groups;
 }
 
-void add_neighbours(const Model& m, const Mechanism& d, const RigidBodies& rigid, Json& groups) {
-  const std::vector<GroupId> group = group_of_rigid_bodies(m, d, rigid);
+void add_neighbours(const Model& m, const Mechanism& mechanism, const RigidBodies& rigid,
+                    Json& groups) {
+  const std::vector<GroupId> group = group_of_rigid_bodies(m, mechanism, rigid);
   for (std::size_t r = 1; r < group.size(); ++r) increase(groups[group[r]]["moving_bodies"], 1);
   std::set<std::pair<GroupId, GroupId>> joined;  // (group, an earlier one that it is joined to)
-  for (const Mechanism::Joint& joint : d.joints) {
+  for (const Mechanism::Joint& joint : mechanism.joints) {
     const auto [first, last] =
         std::minmax(group[rigid.of_body[joint.bodies[0]]], group[rigid.of_body[joint.bodies[1]]]);
     if (first == last) continue;
@@ -123,20 +124,23 @@ void add_neighbours(const Model& m, const Mechanism& d, const RigidBodies& rigid
 
 /// Returns the spanning tree of a model with frames, parents first, and the joints that are cut;
 /// two empty arrays for a model without frames.
-std::pair<Json, Json> describe_tree(const Model& m, const Mechanism& d, const RigidBodies& rigid) {
+std::pair<Json, Json> describe_tree(const Model& m, const Mechanism& mechanism,
+                                    const RigidBodies& rigid) {
   Json bodies = Json::array(), cut_joints = Json::array();
   if (!has_frames(m.modelling)) return {bodies, cut_joints};
-  const SpanningTree tree = make_tree(d, rigid, find_structure(d, rigid), m.modelling);
-  const auto name = [&](int r) { return d.bodies[rigid.list[r].bodies.front()].name; };
+  const SpanningTree tree =
+      make_tree(mechanism, rigid, find_structure(mechanism, rigid), m.modelling);
+  const auto name = [&](int r) { return mechanism.bodies[rigid.list[r].bodies.front()].name; };
   for (const int r : tree.order)
     if (const TreeJoint& hanging = tree.hanging[r]; tree.has_frame[r])
       bodies.push_back({{"body", name(r)},
                         {"parent", name(hanging.parent)},
-                        {"joint", hanging.joint < 0 ? "" : d.joints[hanging.joint].name}});
-  for (std::size_t j = 0; j < d.joints.size(); ++j)
-    if (rigid.of_body[d.joints[j].bodies[0]] != rigid.of_body[d.joints[j].bodies[1]] &&
+                        {"joint", hanging.joint < 0 ? "" : mechanism.joints[hanging.joint].name}});
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j)
+    if (rigid.of_body[mechanism.joints[j].bodies[0]] !=
+            rigid.of_body[mechanism.joints[j].bodies[1]] &&
         !tree.is_of_tree[j])
-      cut_joints.push_back(d.joints[j].name);
+      cut_joints.push_back(mechanism.joints[j].name);
   return {bodies, cut_joints};
 }
 
@@ -151,9 +155,9 @@ Json describe_misfit(const LeftOut& left_out, const DisplayUnits& units) {
 /// Returns the structure of an input and its model; the keys are those of `desmo inspect --json`.
 /// Throws InputError.
 Json inspect(const Input& input, const ModellingResult& modelled) {
-  const Mechanism& d = input.scene.mechanism;
+  const Mechanism& mechanism = input.scene.mechanism;
   const Model& m = modelled.model;
-  const RigidBodies rigid = find_rigid_bodies(d);
+  const RigidBodies rigid = find_rigid_bodies(mechanism);
   Json groups = list_groups(m);
   add_entities(m, groups);
   try {
@@ -161,8 +165,8 @@ Json inspect(const Input& input, const ModellingResult& modelled) {
   } catch (const std::invalid_argument& error) {
     throw InputError(input.source + ": " + error.what());
   }
-  add_neighbours(m, d, rigid, groups);
-  const auto [tree, cut_joints] = describe_tree(m, d, rigid);
+  add_neighbours(m, mechanism, rigid, groups);
+  const auto [tree, cut_joints] = describe_tree(m, mechanism, rigid);
   Json left_out = Json::array();
   for (const LeftOut& l : modelled.left_out)
     left_out.push_back({{"equation", l.equation},
@@ -174,11 +178,11 @@ Json inspect(const Input& input, const ModellingResult& modelled) {
   Json idle = Json::array();
   for (const IdleFreedom& f : modelled.idle) idle.push_back({{"body", f.body}, {"about", f.about}});
   return {{"name", m.name},
-          {"title", d.title},
-          {"dimension", d.dimension},
+          {"title", mechanism.title},
+          {"dimension", mechanism.dimension},
           {"length_unit", m.length_unit},
-          {"bodies", d.bodies.size() - 1},  // without the ground
-          {"joints", d.joints.size()},
+          {"bodies", mechanism.bodies.size() - 1},  // without the ground
+          {"joints", mechanism.joints.size()},
           {"coordinates",
            {{"kind", name_of(m.modelling)},
             {"all", m.coordinates()},

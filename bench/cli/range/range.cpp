@@ -30,27 +30,29 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-std::vector<std::string> joints_at(const std::vector<std::string>& moving, const Mechanism& d) {
+std::vector<std::string> joints_at(const std::vector<std::string>& moving,
+                                   const Mechanism& mechanism) {
   std::vector<std::string> joints;
-  for (const Mechanism::Joint& j : d.joints)
-    if (std::ranges::any_of(j.points, [&](int p) { return contains(moving, d.points[p].name); }))
+  for (const Mechanism::Joint& j : mechanism.joints)
+    if (std::ranges::any_of(j.points,
+                            [&](int p) { return contains(moving, mechanism.points[p].name); }))
       joints.push_back(j.name);
   return joints;
 }
 
 /// Returns the bodies that carry all points and vectors of at least one of the constraints.
 std::vector<std::string> bodies_of(const std::vector<int>& constraints, const Model& m,
-                                   const Mechanism& d) {
+                                   const Mechanism& mechanism) {
   const auto carries_all = [&](const Mechanism::Body& body, const Constraint& c) {
     std::vector<std::string> names;
-    for (const int p : body.points) names.push_back(d.points[p].name);
-    for (const int v : body.vectors) names.push_back(d.vectors[v].name);
+    for (const int p : body.points) names.push_back(mechanism.points[p].name);
+    for (const int v : body.vectors) names.push_back(mechanism.vectors[v].name);
     return std::ranges::all_of(c.operands, [&](EntityId e) {
       return m.entities[e].size == 1 || contains(names, m.entities[e].name);
     });
   };
   std::vector<std::string> bodies;
-  for (auto body = d.bodies.begin() + 1; body < d.bodies.end(); ++body)
+  for (auto body = mechanism.bodies.begin() + 1; body < mechanism.bodies.end(); ++body)
     if (std::ranges::any_of(constraints,
                             [&](int c) { return carries_all(*body, m.constraints[c]); }))
       bodies.push_back(body->name);
@@ -58,9 +60,9 @@ std::vector<std::string> bodies_of(const std::vector<int>& constraints, const Mo
 }
 
 NamedEnd with_names(const RangeEnd& end, const char* direction, const Model& m,
-                    const Mechanism& d) {
-  return {end, direction, joints_at(names_at(m.entities, end.moving), d),
-          bodies_of(end.constraints, m, d)};
+                    const Mechanism& mechanism) {
+  return {end, direction, joints_at(names_at(m.entities, end.moving), mechanism),
+          bodies_of(end.constraints, m, mechanism)};
 }
 
 /// The position at the start, and what is proven of it. Where no position can be assembled, as at a
@@ -84,7 +86,7 @@ Start start_at(const Model& m, double time, double tolerance) {
 
 void range(const RangeOptions& options) {
   const Input input = load_scene(options.scene, options.units);
-  const Mechanism& d = input.scene.mechanism;
+  const Mechanism& mechanism = input.scene.mechanism;
   const Model m = model_mechanism(input).model;
   Ranges ranges{m, input.scene.grid.time(0), {}};
   const Start start = start_at(m, ranges.time, input.scene.tolerance);
@@ -107,10 +109,10 @@ void range(const RangeOptions& options) {
               "; choose a start that can be assembled");
     }
     const DriverRange& r = named.range;
-    named.ends = {with_names(r.down, "down", m, d), with_names(r.up, "up", m, d)};
+    named.ends = {with_names(r.down, "down", m, mechanism), with_names(r.up, "up", m, mechanism)};
     if (r.other_branch)
-      named.ends.push_back(
-          with_names(*r.other_branch, r.other_branch->value < r.start ? "down" : "up", m, d));
+      named.ends.push_back(with_names(
+          *r.other_branch, r.other_branch->value < r.start ? "down" : "up", m, mechanism));
   }
   write_standard_output(options.json ? to_json(ranges) : to_text(ranges));
 }

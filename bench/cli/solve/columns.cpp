@@ -20,16 +20,16 @@ DisplayUnit ratio_of(const DisplayUnit& a, const DisplayUnit& b) {
 }
 
 /// Returns what has a column of this name: "coordinate 'C.x'", "point 'C'".
-std::vector<std::string> owners_of(const std::string& name, const Mechanism& d) {
+std::vector<std::string> owners_of(const std::string& name, const Mechanism& mechanism) {
   std::vector<std::string> owners;
   const auto add = [&](const std::string& kind, const auto& list, const std::string& entity) {
     if (std::ranges::any_of(list, [&](const auto& entry) { return entry.name == entity; }))
       owners.push_back(kind + " " + desmo::in_quotes(entity));
   };
   const std::string of_component = name.substr(0, name.rfind('.'));
-  add("coordinate", d.coordinates, name);
-  add("point", d.points, of_component);
-  add("vector", d.vectors, of_component);
+  add("coordinate", mechanism.coordinates, name);
+  add("point", mechanism.points, of_component);
+  add("vector", mechanism.vectors, of_component);
   if (owners.size() < 2) owners.push_back("a rotation, joint or ratio of the request");
   return owners;
 }

@@ -89,7 +89,7 @@ Reason reason_of(const CheckedSummary& s, const Model& m, const DisplayUnits& un
 }  // namespace
 
 std::string start_text(const Model& m, const DisplayUnits& units, std::span<const double> z) {
-  constexpr std::size_t most = 3;
+  constexpr std::size_t max_named = 3;
   const std::vector<double> magnitudes = nominal_magnitudes(m);
   std::vector<std::pair<double, std::size_t>> away;
   for (std::size_t i = 0; i < m.drivers.size(); ++i) {
@@ -99,7 +99,7 @@ std::string start_text(const Model& m, const DisplayUnits& units, std::span<cons
     if (difference != 0) away.emplace_back(-std::abs(difference) / magnitudes[e.first], i);
   }
   std::ranges::stable_sort(away, {}, &std::pair<double, std::size_t>::first);
-  if (away.size() > most) away.resize(most);
+  if (away.size() > max_named) away.resize(max_named);
   std::string text;
   for (const auto& [distance, i] : away) {
     const Entity& e = m.entities[m.drivers[i].coordinate];

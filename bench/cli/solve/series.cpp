@@ -14,7 +14,7 @@ namespace desmo::cli {
 namespace {
 
 /// Size of collected text [bytes] from which (≥) it is written to the output.
-constexpr std::size_t enough_to_write = std::size_t{1} << 16;
+constexpr std::size_t min_flush_size = std::size_t{1} << 16;
 
 /// Returns the shortest decimal number that reads back as this double.
 Quadruple as_written(double value) {
@@ -132,7 +132,7 @@ Flow SeriesWriter::observe(const Instant& solved) noexcept try {
     return Flow::stop;
   }
   append_line(heading_, instant, std::exchange(remark_, {}), text_);
-  if (text_.size() >= enough_to_write) flush();
+  if (text_.size() >= min_flush_size) flush();
   if (progress_) progress_->add_done();
   return Flow::go_on;
 } catch (...) {

@@ -77,10 +77,10 @@ double max_link(const DyadChain& chain) {
 Model alone(const KnownCase& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   if (c.chains.size() == 1) return p.modelled->model;
-  MechanismBuilder d(c.scene.mechanism.name, 2);
-  d.set_length_unit(c.scene.mechanism.length_unit);
-  add(d, c.chains[index]);
-  return model_mechanism(d.release(), {c.scene.motions[index]}).model;
+  MechanismBuilder builder(c.scene.mechanism.name, 2);
+  builder.set_length_unit(c.scene.mechanism.length_unit);
+  add(builder, c.chains[index]);
+  return model_mechanism(builder.release(), {c.scene.motions[index]}).model;
 }
 
 /// Returns the time [s], to its last bit, at which a chain's answers end or begin. It has an answer

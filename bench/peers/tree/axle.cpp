@@ -42,9 +42,9 @@ struct Axle::Closure {
   double error;               // √Σ (gᵢ/Lᵢ²)²
 };
 
-Axle::Axle(const Mechanism& d, const std::string& prefix, double tolerance)
+Axle::Axle(const Mechanism& mechanism, const std::string& prefix, double tolerance)
     : prefix_(prefix), tolerance_(tolerance) {
-  const auto at = [&](const char* name) { return nominal(d, prefix + name); };
+  const auto at = [&](const char* name) { return nominal(mechanism, prefix + name); };
   const Vec s = at("S");
   pivot_ = at("R");
   arm_ = std::copysign((s - pivot_).norm(), s.x() - pivot_.x());
@@ -53,7 +53,8 @@ Axle::Axle(const Mechanism& d, const std::string& prefix, double tolerance)
   track_ = left_.y() - right_.y();
   for (int i = 0; i < 2; ++i) {
     const std::string side = i == 0 ? "4" : "5";
-    const Vec c = nominal(d, prefix + "C" + side), g = nominal(d, prefix + "G" + side);
+    const Vec c = nominal(mechanism, prefix + "C" + side),
+              g = nominal(mechanism, prefix + "G" + side);
     rods_[i] = {c - s, g, (c - g).norm()};
   }
 }

@@ -17,8 +17,8 @@ using Vec2 = Eigen::Vector2d;
 /// Returns a vector turned by 90° to the left.
 Vec2 left_of(const Vec2& a) { return {-a.y(), a.x()}; }
 
-Vec2 nominal_in_plane(const Mechanism& d, const std::string& point) {
-  return nominal(d, point).head<2>();
+Vec2 nominal_in_plane(const Mechanism& mechanism, const std::string& point) {
+  return nominal(mechanism, point).head<2>();
 }
 
 /// A coupler of length c from B, which is known, to C, and a rocker of length r from D to C:
@@ -26,13 +26,14 @@ Vec2 nominal_in_plane(const Mechanism& d, const std::string& point) {
 class Dyad {
  public:
   /// prefix: first part of the dyad's names. before: name of the point B.
-  Dyad(const Mechanism& d, const std::string& prefix, const std::string& before)
+  Dyad(const Mechanism& mechanism, const std::string& prefix, const std::string& before)
       : name_(prefix),
-        pivot_(nominal_in_plane(d, prefix + "D")),
-        coupler_(length(d, prefix + "coupler")),
-        rocker_(length(d, prefix + "rocker")) {
-    const Vec2 way = pivot_ - nominal_in_plane(d, before);
-    side_ = std::copysign(1.0, left_of(way).dot(nominal_in_plane(d, prefix + "C") - pivot_));
+        pivot_(nominal_in_plane(mechanism, prefix + "D")),
+        coupler_(length(mechanism, prefix + "coupler")),
+        rocker_(length(mechanism, prefix + "rocker")) {
+    const Vec2 way = pivot_ - nominal_in_plane(mechanism, before);
+    side_ =
+        std::copysign(1.0, left_of(way).dot(nominal_in_plane(mechanism, prefix + "C") - pivot_));
   }
 
   /// Returns C, given B, and writes C and ψ. Throws std::runtime_error, naming the dyad, when the
@@ -73,13 +74,14 @@ class FourBar final : public TreePeer {
       : motion_(scene.motions.at(0)),
         pivot_(nominal_in_plane(scene.mechanism, "crank/A")),
         crank_(length(scene.mechanism, "crank")) {
-    const Mechanism& d = scene.mechanism;
+    const Mechanism& mechanism = scene.mechanism;
     will_deliver(model, {"crank/theta", "crank/B"});
-    const int dyads = static_cast<int>(d.bodies.size() - 2) / 2;  // without ground and crank
+    // Ground and crank belong to no dyad.
+    const int dyads = static_cast<int>(mechanism.bodies.size() - 2) / 2;
     std::string before = "crank/B";
     for (int k = 1; k <= dyads; ++k) {
       const std::string prefix = "dyad" + std::to_string(k) + "/";
-      dyads_.emplace_back(d, prefix, before);
+      dyads_.emplace_back(mechanism, prefix, before);
       before = prefix + "C";
       will_deliver(model, {before, prefix + "psi"});
     }

@@ -7,13 +7,13 @@
 
 namespace desmo::tree {
 
-Stabiliser::Stabiliser(const Mechanism& d, const std::string& prefix, const std::string& lever,
-                       const std::string& link)
+Stabiliser::Stabiliser(const Mechanism& mechanism, const std::string& prefix,
+                       const std::string& lever, const std::string& link)
     : name_(prefix + lever) {
-  const Vec s = nominal(d, prefix + "S"), a = nominal(d, prefix + "A" + lever);
-  const Vec b = nominal(d, prefix + "B" + lever);
+  const Vec s = nominal(mechanism, prefix + "S"), a = nominal(mechanism, prefix + "A" + lever);
+  const Vec b = nominal(mechanism, prefix + "B" + lever);
   a_ = a - s;
-  g_ = nominal(d, prefix + "G" + link);
+  g_ = nominal(mechanism, prefix + "G" + link);
   lever_ = (b - a).norm();
   link_ = (b - g_).norm();
   const Vec across(b.z() - a.z(), 0, a.x() - b.x());  // y2 × (B − A) in the nominal position
@@ -61,10 +61,10 @@ void Stabiliser::solve(const Pose& axle, AnswerWriter& out) const {
   out.put(Moving<double>{std::atan2(sine, cosine), rate, second_rate});
 }
 
-Damper::Damper(const Mechanism& d, const std::string& prefix, const std::string& rod,
+Damper::Damper(const Mechanism& mechanism, const std::string& prefix, const std::string& rod,
                const std::string& tube)
-    : a_(nominal(d, prefix + "A" + rod) - nominal(d, prefix + "S")),
-      t_(nominal(d, prefix + "T" + tube)) {}
+    : a_(nominal(mechanism, prefix + "A" + rod) - nominal(mechanism, prefix + "S")),
+      t_(nominal(mechanism, prefix + "T" + tube)) {}
 
 std::vector<std::string> Damper::delivered(const std::string& prefix, const std::string& rod,
                                            const std::string& tube) {

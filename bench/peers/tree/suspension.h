@@ -62,10 +62,11 @@ class Damper {
 
 /// An axle with all that hangs on it.
 struct Suspension {
-  Suspension(const Mechanism& d, const std::string& prefix, double tolerance)
-      : axle(d, prefix, tolerance),
-        stabilisers{Stabiliser(d, prefix, "6", "8"), Stabiliser(d, prefix, "7", "9")},
-        dampers{Damper(d, prefix, "10", "11"), Damper(d, prefix, "12", "13")} {}
+  Suspension(const Mechanism& mechanism, const std::string& prefix, double tolerance)
+      : axle(mechanism, prefix, tolerance),
+        stabilisers{Stabiliser(mechanism, prefix, "6", "8"),
+                    Stabiliser(mechanism, prefix, "7", "9")},
+        dampers{Damper(mechanism, prefix, "10", "11"), Damper(mechanism, prefix, "12", "13")} {}
 
   Axle axle;
   std::array<Stabiliser, 2> stabilisers;

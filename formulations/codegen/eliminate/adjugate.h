@@ -12,10 +12,11 @@ namespace desmo::generate {
 /// comparing it with magnitude().
 class Adjugate {
  public:
-  static constexpr std::size_t least = 2, most = 3;  ///< limits of the number n of equations
+  /// Limits of the number n of equations.
+  static constexpr std::size_t min_size = 2, max_size = 3;
 
-  /// Records the inverse of an (n × n) matrix, least ≤ n ≤ most. Throws std::invalid_argument when
-  /// it is structurally singular.
+  /// Records the inverse of an (n × n) matrix, min_size ≤ n ≤ max_size. Throws
+  /// std::invalid_argument when it is structurally singular.
   explicit Adjugate(const std::vector<std::vector<Expr>>& matrix);
 
   /// Returns x with (matrix) x = b.

@@ -132,7 +132,7 @@ Elimination::Elimination(SparseRows rows, SampleNumbers at, Unsound unsound) : a
     const PivotChoice pivot = choose_pivot(rows, at_, unsound);
     if (pivot.row < 0) throw std::invalid_argument("the Jacobian is structurally singular");
     const std::size_t open = n - steps_.size();
-    if (!pivot.is_sound && !mark && open >= Adjugate::least && open <= Adjugate::most)
+    if (!pivot.is_sound && !mark && open >= Adjugate::min_size && open <= Adjugate::max_size)
       mark.emplace(Mark{rows, *this});
     if (mark && pivot.size.share < min_share) {
       *this = std::move(mark->elimination);
@@ -213,12 +213,12 @@ void Elimination::solve_last_by_adjugate(const SparseRows& rows) {
   }
 }
 
-std::vector<Elimination> eliminations(const SparseRows& matrix, std::size_t most,
+std::vector<Elimination> eliminations(const SparseRows& matrix, std::size_t max_count,
                                       std::size_t first) {
   SampleNumbers open = all_samples();
   std::vector<Elimination> result;
   SampleNumbers at(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(first));
-  while (!open.empty() && result.size() < most) {
+  while (!open.empty() && result.size() < max_count) {
     Elimination next(matrix, std::move(at),
                      result.empty() ? Unsound::has_largest_worst : Unsound::serves_most);
     const bool serves = std::erase_if(open, [&](std::size_t s) { return !next.is_poor_at(s); }) > 0;

@@ -85,11 +85,12 @@ class Elimination {
 };
 
 /// Returns eliminations of one matrix. At each sample point one of them has no poor pivots.
-/// Exceptions are points near singular positions, and points that `most` eliminations do not serve.
-/// - most: largest number of eliminations
+/// Exceptions are points near singular positions, and points that `max_count` eliminations do not
+/// serve.
+/// - max_count: largest number of eliminations
 /// - first: number of points, from the beginning, at which the first elimination is chosen. Each
 ///   later one is chosen at all points where those before it are poor.
-std::vector<Elimination> eliminations(const SparseRows& matrix, std::size_t most,
+std::vector<Elimination> eliminations(const SparseRows& matrix, std::size_t max_count,
                                       std::size_t first);
 
 }  // namespace desmo::generate

@@ -33,7 +33,7 @@ struct BodyDrawing : Drawing<S> {
 
 /// Rounding of drawn directions of length 1. Components of equal directions differ by ≤ this; the
 /// |cosine| of directions at a right angle is ≤ this.
-inline constexpr double same_direction = 1e-12;
+inline constexpr double direction_tolerance = 1e-12;
 
 /// Returns the vector a, scaled to length 1.
 inline Mechanism::ExactVec unit_vector(const Mechanism::ExactVec& a) {
@@ -47,16 +47,16 @@ inline Mechanism::ExactVec across(const Mechanism::ExactVec& a, const Mechanism:
   return {a[0] - along * of[0], a[1] - along * of[1], a[2] - along * of[2]};
 }
 
-/// Returns whether two directions of length 1 are the same, to same_direction.
+/// Returns whether two directions of length 1 are the same, to direction_tolerance.
 inline bool are_same(const Mechanism::ExactVec& a, const Mechanism::ExactVec& b) {
   return std::ranges::equal(a, b, [](const Derived& x, const Derived& y) {
-    return std::abs((x - y).value) <= same_direction;
+    return std::abs((x - y).value) <= direction_tolerance;
   });
 }
 
-/// Returns whether two directions of length 1 are at a right angle, to same_direction.
+/// Returns whether two directions of length 1 are at a right angle, to direction_tolerance.
 inline bool are_normal(const Mechanism::ExactVec& a, const Mechanism::ExactVec& b) {
-  return std::abs(dot(a, b).value) <= same_direction;
+  return std::abs(dot(a, b).value) <= direction_tolerance;
 }
 
 /// Writes an exact position or direction as the nearest doubles, and the remainders that these

@@ -43,18 +43,18 @@ using nominal::Vec;
 
 class Modeller {
  public:
-  Modeller(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
+  Modeller(const Mechanism& mechanism, const RigidBodies& rigid, const Structure& structure,
            const std::vector<Motion>& motions, Modelling modelling)
-      : d_(d),
+      : mechanism_(mechanism),
         rigid_(rigid),
         structure_(structure),
-        placement_(place_entities(d, rigid, structure, !has_frames(modelling))),
+        placement_(place_entities(mechanism, rigid, structure, !has_frames(modelling))),
         motions_(motions),
         m_(result_.model) {
-    result_.points.assign(d.points.size(), -1);
-    result_.vectors.assign(d.vectors.size(), -1);
-    m_.name = d.name;
-    m_.length_unit = d.length_unit;
+    result_.points.assign(mechanism.points.size(), -1);
+    result_.vectors.assign(mechanism.vectors.size(), -1);
+    m_.name = mechanism.name;
+    m_.length_unit = mechanism.length_unit;
     m_.modelling = modelling;
   }
 
@@ -71,18 +71,19 @@ class Modeller {
   void add_ground() {
     const RigidBody& ground = rigid_.list.front();
     for (const int p : ground.points)
-      result_.points[p] =
-          m_.add_fixed(EntityKind::point, d_.points[p].name, components(d_.points[p].position),
-                       std::span(d_.points[p].remainder).first(d_.dimension));
+      result_.points[p] = m_.add_fixed(
+          EntityKind::point, mechanism_.points[p].name, components(mechanism_.points[p].position),
+          std::span(mechanism_.points[p].remainder).first(mechanism_.dimension));
     for (const int v : ground.vectors) {
-      const std::string& name = d_.vectors[v].name;
-      const std::span<const double> value = components(d_.vectors[v].direction);
+      const std::string& name = mechanism_.vectors[v].name;
+      const std::span<const double> value = components(mechanism_.vectors[v].direction);
       if (rigid_.of_vector[v].size() == 1) {
-        result_.vectors[v] = m_.add_fixed(EntityKind::vector, name, value,
-                                          std::span(d_.vectors[v].remainder).first(d_.dimension));
+        result_.vectors[v] =
+            m_.add_fixed(EntityKind::vector, name, value,
+                         std::span(mechanism_.vectors[v].remainder).first(mechanism_.dimension));
         continue;
       }
-      const GroupId g = m_.add_group("ground/" + name, {d_.bodies.front().name});
+      const GroupId g = m_.add_group("ground/" + name, {mechanism_.bodies.front().name});
       m_.groups[g].constant = true;
       result_.vectors[v] = m_.add(EntityKind::vector, name, value, g);
       m_.groups[g].entities = {result_.vectors[v]};
@@ -95,9 +96,9 @@ class Modeller {
   /// Assigns relative coordinates to structural groups: the declared ones, then the undeclared
   /// distances of spatial sliding joints.
   void place_coordinates() {
-    result_.measured = d_.coordinates;
-    for (const Mechanism::Joint& j : d_.joints)
-      if (d_.dimension == 3 && slides(j.type) && !declares_distance(d_, j)) {
+    result_.measured = mechanism_.coordinates;
+    for (const Mechanism::Joint& j : mechanism_.joints)
+      if (mechanism_.dimension == 3 && slides(j.type) && !declares_distance(mechanism_, j)) {
         Mechanism::Coordinate& c = result_.measured.emplace_back();
         c.name = j.name + "/distance";
         c.type = Mechanism::CoordinateType::along;
@@ -128,7 +129,7 @@ class Modeller {
         order.insert(order.end(), rigid_.list[r].bodies.begin(), rigid_.list[r].bodies.end());
       std::ranges::sort(order);
       std::vector<std::string> bodies;
-      for (const int b : order) bodies.push_back(d_.bodies[b].name);
+      for (const int b : order) bodies.push_back(mechanism_.bodies[b].name);
       const std::string prefix = common_prefix(bodies);
       const GroupId g = m_.add_group(prefix + "SG-" + roman(++numbers[prefix]), std::move(bodies));
       for (const int a : group.after) m_.groups[g].after.push_back(constant_groups_ + a);
@@ -137,7 +138,7 @@ class Modeller {
         const bool angle = result_.measured[c].type == Mechanism::CoordinateType::angle;
         const double start = result_.measured[c].estimate
                                  ? *result_.measured[c].estimate
-                                 : Drawing<double>{d_}.value(result_.measured[c]);
+                                 : Drawing<double>{mechanism_}.value(result_.measured[c]);
         result_.coordinates[c] = m_.add(angle ? EntityKind::angle : EntityKind::distance,
                                         result_.measured[c].name, std::array{start}, g);
       }
@@ -146,20 +147,20 @@ class Modeller {
 
   /// Adds the points and vectors of a body that this group determines.
   void add_entities(int body, int position, GroupId g) {
-    for (const int p : d_.bodies[body].points)
+    for (const int p : mechanism_.bodies[body].points)
       if (result_.points[p] < 0 && placement_.of_point[p] == position)
-        result_.points[p] =
-            m_.add(EntityKind::point, d_.points[p].name, components(d_.points[p].position), g);
-    for (const int v : d_.bodies[body].vectors)
+        result_.points[p] = m_.add(EntityKind::point, mechanism_.points[p].name,
+                                   components(mechanism_.points[p].position), g);
+    for (const int v : mechanism_.bodies[body].vectors)
       if (result_.vectors[v] < 0 && placement_.of_vector[v] == position)
-        result_.vectors[v] =
-            m_.add(EntityKind::vector, d_.vectors[v].name, components(d_.vectors[v].direction), g);
+        result_.vectors[v] = m_.add(EntityKind::vector, mechanism_.vectors[v].name,
+                                    components(mechanism_.vectors[v].direction), g);
   }
 
   void drive() {
     std::size_t motion = 0;
-    for (std::size_t c = 0; c < d_.coordinates.size(); ++c)
-      if (d_.coordinates[c].driven) m_.drive(result_.coordinates[c], motions_.at(motion++));
+    for (std::size_t c = 0; c < mechanism_.coordinates.size(); ++c)
+      if (mechanism_.coordinates[c].driven) m_.drive(result_.coordinates[c], motions_.at(motion++));
   }
 
   /// Lists the entities of each group as the paper counts them: those of its bodies and joints, and
@@ -170,13 +171,13 @@ class Modeller {
       if (m_.entities[e].group <= g && seen[g].insert(e).second) m_.groups[g].entities.push_back(e);
     };
     const auto group_of = [&](int body) { return result_.group_of_body[rigid_.of_body[body]]; };
-    for (int b = 1; b < static_cast<int>(d_.bodies.size()); ++b) {
+    for (int b = 1; b < static_cast<int>(mechanism_.bodies.size()); ++b) {
       const GroupId g = group_of(b);
       if (g < 0) continue;
-      for (const int p : d_.bodies[b].points) list(g, result_.points[p]);
-      for (const int v : d_.bodies[b].vectors) list(g, result_.vectors[v]);
+      for (const int p : mechanism_.bodies[b].points) list(g, result_.points[p]);
+      for (const int v : mechanism_.bodies[b].vectors) list(g, result_.vectors[v]);
     }
-    for (const Mechanism::Joint& j : d_.joints) {
+    for (const Mechanism::Joint& j : mechanism_.joints) {
       const GroupId g = std::max(group_of(j.bodies[0]), group_of(j.bodies[1]));
       if (g < 0) continue;
       for (const int p : j.points) list(g, result_.points[p]);
@@ -186,10 +187,10 @@ class Modeller {
   }
 
   std::span<const double> components(const Vec& v) const {
-    return {v.data(), static_cast<std::size_t>(d_.dimension)};
+    return {v.data(), static_cast<std::size_t>(mechanism_.dimension)};
   }
 
-  const Mechanism& d_;
+  const Mechanism& mechanism_;
   const RigidBodies& rigid_;
   const Structure& structure_;
   const Placement placement_;
@@ -208,15 +209,15 @@ bool is_distance_of(const Mechanism::Joint& j, const Mechanism::Coordinate& c) {
          std::minmax({c.of.from, c.of.to}) == std::minmax({j.points[0], j.points[1]});
 }
 
-bool declares_distance(const Mechanism& d, const Mechanism::Joint& j) {
-  return std::ranges::any_of(d.coordinates,
+bool declares_distance(const Mechanism& mechanism, const Mechanism::Joint& j) {
+  return std::ranges::any_of(mechanism.coordinates,
                              [&](const Mechanism::Coordinate& c) { return is_distance_of(j, c); });
 }
 
-Coordinates make_coordinates(const Mechanism& d, const RigidBodies& rigid,
+Coordinates make_coordinates(const Mechanism& mechanism, const RigidBodies& rigid,
                              const Structure& structure, const std::vector<Motion>& motions,
                              Modelling modelling) {
-  return Modeller(d, rigid, structure, motions, modelling).make();
+  return Modeller(mechanism, rigid, structure, motions, modelling).make();
 }
 
 }  // namespace desmo

@@ -11,13 +11,13 @@ using Direction = Mechanism::Direction;
 /// Whether each point and vector defines a driven or coupled coordinate. Then the first group that
 /// carries it needs it.
 struct NeededAtOnce {
-  explicit NeededAtOnce(const Mechanism& d)
-      : points(d.points.size(), false), vectors(d.vectors.size(), false) {
-    std::vector<bool> is_coupled(d.coordinates.size(), false);
-    for (const Mechanism::Coupling& coupling : d.couplings)
+  explicit NeededAtOnce(const Mechanism& mechanism)
+      : points(mechanism.points.size(), false), vectors(mechanism.vectors.size(), false) {
+    std::vector<bool> is_coupled(mechanism.coordinates.size(), false);
+    for (const Mechanism::Coupling& coupling : mechanism.couplings)
       for (const auto& [coordinate, factor] : coupling.terms) is_coupled[coordinate] = true;
-    for (std::size_t i = 0; i < d.coordinates.size(); ++i) {
-      const Mechanism::Coordinate& c = d.coordinates[i];
+    for (std::size_t i = 0; i < mechanism.coordinates.size(); ++i) {
+      const Mechanism::Coordinate& c = mechanism.coordinates[i];
       if (!c.driven && !is_coupled[i]) continue;
       for (const Direction* direction : {&c.of, &c.from, &c.towards}) {
         if (direction->is_line())
@@ -70,15 +70,15 @@ int Placement::of(const Mechanism::Coordinate& c) const {
   return last;
 }
 
-Placement place_entities(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
-                         bool may_wait) {
-  const NeededAtOnce needed(d);
+Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
+                         const Structure& structure, bool may_wait) {
+  const NeededAtOnce needed(mechanism);
   Placement result;
-  for (int p = 0; p < static_cast<int>(d.points.size()); ++p)
+  for (int p = 0; p < static_cast<int>(mechanism.points.size()); ++p)
     result.of_point.push_back(finder(rigid, structure, rigid.of_point[p],
                                      !may_wait || needed.points[p],
                                      [&](const Basis& b) { return b.has_point(p); }));
-  for (int v = 0; v < static_cast<int>(d.vectors.size()); ++v)
+  for (int v = 0; v < static_cast<int>(mechanism.vectors.size()); ++v)
     result.of_vector.push_back(finder(rigid, structure, rigid.of_vector[v],
                                       !may_wait || needed.vectors[v],
                                       [&](const Basis& b) { return b.has_vector(v); }));

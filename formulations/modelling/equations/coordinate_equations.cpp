@@ -136,21 +136,21 @@ void define_spatial_angle(const Definition& definition) {
 }
 
 void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
-  const Mechanism& d = w.mechanism;
-  const double distance = drawn_off(d, w.rigid, w.reach, c.of, c.vector);
-  if (distance <= max_off_line * nominal::extent(d)) return;
+  const Mechanism& mechanism = w.mechanism;
+  const double distance = drawn_off(mechanism, w.rigid, w.reach, c.of, c.vector);
+  if (distance <= max_off_line * nominal::extent(mechanism)) return;
   const bool is_of_joint =
-      std::ranges::count(d.coordinates, c.name, &Mechanism::Coordinate::name) == 0;
+      std::ranges::count(mechanism.coordinates, c.name, &Mechanism::Coordinate::name) == 0;
   const std::string name =
       is_of_joint ? "joint '" + c.name.substr(0, c.name.rfind('/')) : "coordinate '" + c.name;
   throw ContradictionError(
-      [text = name + "': " + w.text(c.of) + " is not along '" + d.vectors[c.vector].name +
+      [text = name + "': " + w.text(c.of) + " is not along '" + mechanism.vectors[c.vector].name +
               "' in the nominal position: it is off by ",
        distance](const DisplayUnits& units) {
         return text + in_unit(distance, units.length) +
                "; draw it along that, or place one of the bodies by \"at\"";
       },
-      d.length_unit);
+      mechanism.length_unit);
 }
 
 template <int D>

@@ -12,17 +12,19 @@ namespace desmo {
 
 namespace {
 
-bool is_angle(const Mechanism& d, const Mechanism::Coupling::Term& term) {
-  return d.coordinates[term.coordinate].type == Mechanism::CoordinateType::angle;
+bool is_angle(const Mechanism& mechanism, const Mechanism::Coupling::Term& term) {
+  return mechanism.coordinates[term.coordinate].type == Mechanism::CoordinateType::angle;
 }
 
 /// Returns the term whose unit Φ has: the length with the largest |factor| or, when there is no
 /// length, the angle with the largest one.
-const Mechanism::Coupling::Term& leading_term(const Mechanism& d, const Mechanism::Coupling& c) {
+const Mechanism::Coupling::Term& leading_term(const Mechanism& mechanism,
+                                              const Mechanism::Coupling& c) {
   const Mechanism::Coupling::Term* leading = &c.terms.front();
   for (const Mechanism::Coupling::Term& term : c.terms) {
     const bool is_larger = std::abs(term.factor.value) > std::abs(leading->factor.value);
-    if (is_angle(d, term) == is_angle(d, *leading) ? is_larger : !is_angle(d, term))
+    if (is_angle(mechanism, term) == is_angle(mechanism, *leading) ? is_larger
+                                                                   : !is_angle(mechanism, term))
       leading = &term;
   }
   return *leading;
@@ -39,14 +41,15 @@ void constrain(EquationWriter& w, const Mechanism::Coupling& coupling, int kind,
 void write_sum(EquationWriter& w, const Mechanism::Coupling& coupling) {
   static constexpr std::array kinds{kind_index<Coupling<2>>(), kind_index<Coupling<3>>(),
                                     kind_index<Coupling<4>>()};
-  const Mechanism& d = w.mechanism;
-  const Derived unit = leading_term(d, coupling).factor;
+  const Mechanism& mechanism = w.mechanism;
+  const Derived unit = leading_term(mechanism, coupling).factor;
   std::vector<Derived> dimensions;
   Derived sum = 0;
   double magnitude = 0;
   for (const auto& [coordinate, factor] : coupling.terms) {
     dimensions.push_back(factor / unit);
-    const Derived term = dimensions.back() * Drawing<Derived>{d}.value(d.coordinates[coordinate]);
+    const Derived term =
+        dimensions.back() * Drawing<Derived>{mechanism}.value(mechanism.coordinates[coordinate]);
     sum = sum + term;
     magnitude += std::abs(term.value);
   }
@@ -88,13 +91,13 @@ Derived drawn_value(const EquationWriter& w, const Mechanism::Coupling& coupling
 }
 
 void write_table(EquationWriter& w, const Mechanism::Coupling& coupling) {
-  const Mechanism& d = w.mechanism;
+  const Mechanism& mechanism = w.mechanism;
   const std::vector<Derived> numbers = numbers_of(*coupling.table);
   const Derived unit = Derived(1) / coupling.terms[0].factor;
   const Derived drawn = unit * drawn_value(w, coupling, numbers);
-  const Mechanism::Coordinate& first = d.coordinates[coupling.terms[0].coordinate];
+  const Mechanism::Coordinate& first = mechanism.coordinates[coupling.terms[0].coordinate];
   const Derived from =
-      coupling.table->from.value_or(Drawing<Derived>{d}.value(first) - drawn).rounded();
+      coupling.table->from.value_or(Drawing<Derived>{mechanism}.value(first) - drawn).rounded();
   std::vector<Derived> dimensions{unit, coupling.terms[1].factor, from};
   dimensions.insert(dimensions.end(), numbers.begin(), numbers.end());
   constrain(w, coupling, kind_index<TableCoupling>(), dimensions);

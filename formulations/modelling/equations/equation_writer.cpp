@@ -35,16 +35,16 @@ Model write_all(EquationWriter& w) {
 
 }  // namespace
 
-EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
+EquationWriter::EquationWriter(const Mechanism& mechanism, const RigidBodies& bodies,
                                Coordinates coordinates, const FramedMechanism* frames)
-    : mechanism(d),
+    : mechanism(mechanism),
       rigid(bodies),
       framed(frames),
-      reach(reach_of(d)),
+      reach(reach_of(mechanism)),
       coordinates_(std::move(coordinates)),
       farthest_(reach) {
   for (const RigidBody& body : bodies.list)
-    farthest_ = std::max(farthest_, reach_of(d, body, reach));
+    farthest_ = std::max(farthest_, reach_of(mechanism, body, reach));
 }
 
 void EquationWriter::begin(int body, int other) {
@@ -120,12 +120,12 @@ void EquationWriter::constrain(EquationSource source, std::string name, int kind
   coordinates_.model.add(std::move(made));
 }
 
-double reach_of(const Mechanism& d) {
-  return max_coordinate(d.points, &Mechanism::Point::position);
+double reach_of(const Mechanism& mechanism) {
+  return max_coordinate(mechanism.points, &Mechanism::Point::position);
 }
 
-double reach_of(const Mechanism& d, const RigidBody& body, double reach) {
-  const auto& own = d.bodies[body.bodies.front()].own;
+double reach_of(const Mechanism& mechanism, const RigidBody& body, double reach) {
+  const auto& own = mechanism.bodies[body.bodies.front()].own;
   return own ? max_coordinate(own->points, Mechanism::rounded) : reach;
 }
 
@@ -140,44 +140,46 @@ bool writes_offset(const EquationWriter& w, const Mechanism::Joint& j) {
 
 namespace {
 
-/// Marks points and vectors that were added after those of `d` as internal. Removes them from the
-/// lists of groups.
-void mark_internal(Coordinates& coordinates, const Mechanism& d) {
+/// Marks points and vectors that were added after those of the mechanism as internal. Removes
+/// them from the lists of groups.
+void mark_internal(Coordinates& coordinates, const Mechanism& mechanism) {
   Model& m = coordinates.model;
-  for (std::size_t p = d.points.size(); p < coordinates.points.size(); ++p)
+  for (std::size_t p = mechanism.points.size(); p < coordinates.points.size(); ++p)
     m.entities[coordinates.points[p]].internal = true;
-  for (std::size_t v = d.vectors.size(); v < coordinates.vectors.size(); ++v)
+  for (std::size_t v = mechanism.vectors.size(); v < coordinates.vectors.size(); ++v)
     m.entities[coordinates.vectors[v]].internal = true;
   for (Group& group : m.groups)
     std::erase_if(group.entities, [&](EntityId e) { return m.entities[e].internal; });
 }
 
 /// Makes the candidates of a mechanism to which points and vectors may have been added after those
-/// of `d`.
+/// of `original`.
 Model make_candidates(const Mechanism& drawn, const RigidBodies& rigid, const Structure& structure,
-                      const std::vector<Motion>& motions, Modelling modelling, const Mechanism& d) {
+                      const std::vector<Motion>& motions, Modelling modelling,
+                      const Mechanism& original) {
   const std::optional<FramedMechanism> changed =
       has_frames(modelling) ? put_frames(drawn, rigid, structure, modelling)
                             : with_plane_normals(drawn, rigid);
   const Mechanism& mechanism = changed ? changed->mechanism : drawn;
   const RigidBodies& bodies = changed ? changed->rigid : rigid;
   Coordinates coordinates = make_coordinates(mechanism, bodies, structure, motions, modelling);
-  mark_internal(coordinates, d);
+  mark_internal(coordinates, original);
   EquationWriter w(mechanism, bodies, std::move(coordinates),
                    has_frames(modelling) ? &*changed : nullptr);
-  Model model = d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
+  Model model = original.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
   keep_derivations(model);
   return model;
 }
 
 }  // namespace
 
-Model make_candidate_equations(const Mechanism& d, const RigidBodies& rigid,
+Model make_candidate_equations(const Mechanism& mechanism, const RigidBodies& rigid,
                                const Structure& structure, const std::vector<Motion>& motions,
                                Modelling modelling) {
-  if (const auto drawn = with_lines_as_drawn(d, rigid))
-    return make_candidates(*drawn, find_rigid_bodies(*drawn), structure, motions, modelling, d);
-  return make_candidates(d, rigid, structure, motions, modelling, d);
+  if (const auto drawn = with_lines_as_drawn(mechanism, rigid))
+    return make_candidates(*drawn, find_rigid_bodies(*drawn), structure, motions, modelling,
+                           mechanism);
+  return make_candidates(mechanism, rigid, structure, motions, modelling, mechanism);
 }
 
 }  // namespace desmo

@@ -20,14 +20,14 @@ using Exact = Mechanism::ExactVec;
 class LineMaker {
  public:
   LineMaker(const Mechanism& mechanism, const RigidBodies& rigid)
-      : d_(mechanism), rigid_(rigid), names_(names_in(mechanism)) {}
+      : mechanism_(mechanism), rigid_(rigid), names_(names_in(mechanism)) {}
 
   std::optional<Mechanism> make() {
-    const double reach = reach_of(d_), max_off = max_off_line * nominal::extent(d_);
-    const std::size_t points = d_.points.size();
-    for (Mechanism::Joint& j : d_.joints) {
+    const double reach = reach_of(mechanism_), max_off = max_off_line * nominal::extent(mechanism_);
+    const std::size_t points = mechanism_.points.size();
+    for (Mechanism::Joint& j : mechanism_.joints) {
       if (!slides(j.type) || rigid_.of_body[j.bodies[0]] == rigid_.of_body[j.bodies[1]]) continue;
-      const double off = drawn_off(d_, rigid_, reach, j.line(), j.vectors[0]);
+      const double off = drawn_off(mechanism_, rigid_, reach, j.line(), j.vectors[0]);
       if (off == 0 || off > max_off) continue;
       for (const int end : {0, 1})
         if (is_turn_known(j.bodies[end])) {
@@ -35,7 +35,7 @@ class LineMaker {
           break;
         }
     }
-    return d_.points.size() > points ? std::optional(std::move(d_)) : std::nullopt;
+    return mechanism_.points.size() > points ? std::optional(std::move(mechanism_)) : std::nullopt;
   }
 
  private:
@@ -48,18 +48,18 @@ class LineMaker {
   /// Replaces a point of a joint by a new one of the same body: the nearest point on the line
   /// through the other point.
   void put_on_line(Mechanism::Joint& j, int end) {
-    const Exact off =
-        across(Drawing<Derived>{d_}.direction(j.line()), Drawing<Derived>{d_}.vector(j.vectors[0]));
-    const int old = j.points[end], added = static_cast<int>(d_.points.size());
-    Mechanism::Point point = d_.points[old];
+    const Exact off = across(Drawing<Derived>{mechanism_}.direction(j.line()),
+                             Drawing<Derived>{mechanism_}.vector(j.vectors[0]));
+    const int old = j.points[end], added = static_cast<int>(mechanism_.points.size());
+    Mechanism::Point point = mechanism_.points[old];
     Exact foot = point.exact();
     for (int i = 0; i < 3; ++i) foot[i] = end == 0 ? foot[i] + off[i] : foot[i] - off[i];
     set_exact(point.position, point.remainder, foot);
     point.name = unique(j.name + "/foot");
-    d_.points.push_back(point);
-    d_.bodies[j.bodies[end]].points.push_back(added);
+    mechanism_.points.push_back(point);
+    mechanism_.bodies[j.bodies[end]].points.push_back(added);
     complete_basis(j.bodies[end], j.name);
-    for (Mechanism::Coordinate& c : d_.coordinates)
+    for (Mechanism::Coordinate& c : mechanism_.coordinates)
       if (is_distance_of(j, c)) (c.of.from == old ? c.of.from : c.of.to) = added;
     j.points[end] = added;
   }
@@ -69,14 +69,14 @@ class LineMaker {
     const int r = rigid_.of_body[body];
     const auto& directions = rigid_.list[r].basis.directions;
     if (r == 0 || directions.size() != 2) return;
-    const BodyDrawing<Derived> drawing{d_};
+    const BodyDrawing<Derived> drawing{mechanism_};
     const Exact normal = unit_vector(cross(drawing.direction(rigid_.list[r], directions[0]),
                                            drawing.direction(rigid_.list[r], directions[1])));
     Mechanism::Vector vector;
     vector.name = unique(joint + "/normal");
     set_exact(vector.direction, vector.remainder, normal);
-    d_.bodies[body].vectors.push_back(static_cast<int>(d_.vectors.size()));
-    d_.vectors.push_back(vector);
+    mechanism_.bodies[body].vectors.push_back(static_cast<int>(mechanism_.vectors.size()));
+    mechanism_.vectors.push_back(vector);
   }
 
   std::string unique(std::string name) {
@@ -84,26 +84,26 @@ class LineMaker {
     return name;
   }
 
-  Mechanism d_;
+  Mechanism mechanism_;
   const RigidBodies& rigid_;
   std::set<std::string> names_;
 };
 
 }  // namespace
 
-double drawn_off(const Mechanism& d, const RigidBodies& rigid, double reach,
+double drawn_off(const Mechanism& mechanism, const RigidBodies& rigid, double reach,
                  const Mechanism::Direction& line, int vector) {
   for (const auto& carriers :
        {rigid.of_point[line.from], rigid.of_point[line.to], rigid.of_vector[vector]})
     for (const int r : carriers)
-      if (d.bodies[rigid.list[r].bodies.front()].own) return 0;
-  const Drawing<double> drawing{d};
+      if (mechanism.bodies[rigid.list[r].bodies.front()].own) return 0;
+  const Drawing<double> drawing{mechanism};
   const double off = nominal::norm(cross(drawing.vector(vector), drawing.direction(line)));
   return is_rounding(off, reach) ? 0 : off;
 }
 
-std::optional<Mechanism> with_lines_as_drawn(const Mechanism& d, const RigidBodies& rigid) {
-  return d.dimension == 3 ? LineMaker(d, rigid).make() : std::nullopt;
+std::optional<Mechanism> with_lines_as_drawn(const Mechanism& mechanism, const RigidBodies& rigid) {
+  return mechanism.dimension == 3 ? LineMaker(mechanism, rigid).make() : std::nullopt;
 }
 
 }  // namespace desmo

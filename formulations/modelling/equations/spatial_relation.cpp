@@ -28,13 +28,13 @@ std::vector<Derived> by_determinants(const std::vector<ExactVec>& u, const Exact
 
 }  // namespace
 
-std::vector<Derived> coefficients_in_space(const Mechanism& d, const RigidBody& body,
+std::vector<Derived> coefficients_in_space(const Mechanism& mechanism, const RigidBody& body,
                                            const Mechanism::Direction& offset, double magnitude) {
   const auto& basis = body.basis.directions;
   const int n = static_cast<int>(basis.size());
   if (n == 0) return {};
-  const BodyDrawing<double> rounded{d};
-  const BodyDrawing<Derived> exact{d};
+  const BodyDrawing<double> rounded{mechanism};
+  const BodyDrawing<Derived> exact{mechanism};
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions(3, n);
   std::vector<ExactVec> exact_directions;
   for (int k = 0; k < n; ++k) {

@@ -24,10 +24,10 @@ std::array<Exact, 3> axes_along(const Basis& basis, int dimension, const ExactDi
 
 /// Returns whether a body with two directions has a point or vector off their plane. reach: largest
 /// absolute nominal coordinate of a point
-bool leaves_its_plane(const Mechanism& d, const RigidBody& body, double reach) {
+bool leaves_its_plane(const Mechanism& mechanism, const RigidBody& body, double reach) {
   const auto& directions = body.basis.directions;
   if (directions.size() != 2) return false;
-  const BodyDrawing<double> drawing{d};
+  const BodyDrawing<double> drawing{mechanism};
   nominal::Vec normal =
       cross(drawing.direction(body, directions[0]), drawing.direction(body, directions[1]));
   const double length = nominal::norm(normal);
@@ -35,10 +35,10 @@ bool leaves_its_plane(const Mechanism& d, const RigidBody& body, double reach) {
   const auto is_off = [&](const Mechanism::Direction& direction, double magnitude) {
     return !is_rounding(dot(normal, drawing.direction(body, direction)), magnitude);
   };
-  reach = reach_of(d, body, reach);
+  reach = reach_of(mechanism, body, reach);
   const auto is_point_off = [&](int p) { return is_off({-1, body.basis.origin, p}, reach); };
   const auto is_vector_off = [&](int v) {
-    return !follows_from_points(d, body, v) && is_off({v}, 1);
+    return !follows_from_points(mechanism, body, v) && is_off({v}, 1);
   };
   return std::ranges::any_of(body.points, is_point_off) ||
          std::ranges::any_of(body.vectors, is_vector_off);
@@ -46,11 +46,11 @@ bool leaves_its_plane(const Mechanism& d, const RigidBody& body, double reach) {
 
 }  // namespace
 
-std::set<std::string> names_in(const Mechanism& d) {
+std::set<std::string> names_in(const Mechanism& mechanism) {
   std::set<std::string> names;
-  for (const auto& p : d.points) names.insert(p.name);
-  for (const auto& v : d.vectors) names.insert(v.name);
-  for (const auto& c : d.coordinates) names.insert(c.name);
+  for (const auto& p : mechanism.points) names.insert(p.name);
+  for (const auto& v : mechanism.vectors) names.insert(v.name);
+  for (const auto& c : mechanism.coordinates) names.insert(c.name);
   return names;
 }
 
@@ -97,13 +97,13 @@ void AxisMaker::add_normal(int body) {
 }
 
 int AxisMaker::add_vector(int body, const Exact& own, const char* what) {
-  Mechanism& d = framed_.mechanism;
+  Mechanism& mechanism = framed_.mechanism;
   RigidBody& rigid = framed_.rigid.list[body];
-  const int v = static_cast<int>(d.vectors.size());
-  Mechanism::Vector& made = d.vectors.emplace_back();
+  const int v = static_cast<int>(mechanism.vectors.size());
+  Mechanism::Vector& made = mechanism.vectors.emplace_back();
   made.name = unique_name(body, what);
   set_exact(made.direction, made.remainder, drawn(body, own));
-  d.bodies[rigid.bodies.front()].vectors.push_back(v);
+  mechanism.bodies[rigid.bodies.front()].vectors.push_back(v);
   rigid.vectors.push_back(v);
   if (rigid.has_shape()) rigid.own_vectors[v] = own;
   framed_.rigid.of_vector.push_back({body});
@@ -112,12 +112,12 @@ int AxisMaker::add_vector(int body, const Exact& own, const char* what) {
 }
 
 int AxisMaker::add_point(int body, int place, const char* what) {
-  Mechanism& d = framed_.mechanism;
+  Mechanism& mechanism = framed_.mechanism;
   RigidBody& rigid = framed_.rigid.list[body];
-  const int p = static_cast<int>(d.points.size());
-  d.points.push_back(
-      {unique_name(body, what), d.points[place].position, d.points[place].remainder});
-  d.bodies[rigid.bodies.front()].points.push_back(p);
+  const int p = static_cast<int>(mechanism.points.size());
+  mechanism.points.push_back({unique_name(body, what), mechanism.points[place].position,
+                              mechanism.points[place].remainder});
+  mechanism.bodies[rigid.bodies.front()].points.push_back(p);
   rigid.points.push_back(p);
   if (rigid.has_shape()) rigid.own_points[p] = rigid.own_points.at(place);
   framed_.rigid.of_point.push_back({body});
@@ -150,15 +150,16 @@ std::string AxisMaker::unique_name(int body, const char* what) {
   return name;
 }
 
-std::optional<FramedMechanism> with_plane_normals(const Mechanism& d, const RigidBodies& rigid) {
-  if (d.dimension == 2) return {};
-  const double reach = reach_of(d);
+std::optional<FramedMechanism> with_plane_normals(const Mechanism& mechanism,
+                                                  const RigidBodies& rigid) {
+  if (mechanism.dimension == 2) return {};
+  const double reach = reach_of(mechanism);
   std::optional<FramedMechanism> result;
   for (int r = 1; r < static_cast<int>(rigid.list.size()); ++r) {
-    if (!leaves_its_plane(d, rigid.list[r], reach)) continue;
+    if (!leaves_its_plane(mechanism, rigid.list[r], reach)) continue;
     if (!result) {
       result.emplace();
-      result->mechanism = d;
+      result->mechanism = mechanism;
       result->rigid = rigid;
     }
     AxisMaker(*result).add_normal(r);

@@ -28,12 +28,12 @@ class FramePlanner {
  public:
   FramePlanner(FramedMechanism& framed, const Structure& structure)
       : framed_(framed),
-        d_(framed.mechanism),
+        mechanism_(framed.mechanism),
         rigid_(framed.rigid),
         structure_(structure),
-        placement_(place_entities(d_, rigid_, structure, false)),
+        placement_(place_entities(mechanism_, rigid_, structure, false)),
         axes_(framed),
-        is_plane_(d_.dimension == 2) {}
+        is_plane_(mechanism_.dimension == 2) {}
 
   void plan() {
     for (const int r : framed_.tree.order)
@@ -53,7 +53,8 @@ class FramePlanner {
   void plan_frame(int r) {
     const TreeJoint& hanging = framed_.tree.hanging[r];
     DerivedFrame& frame = framed_.frames[r];
-    const Mechanism::Joint* const joint = hanging.joint < 0 ? nullptr : &d_.joints[hanging.joint];
+    const Mechanism::Joint* const joint =
+        hanging.joint < 0 ? nullptr : &mechanism_.joints[hanging.joint];
     frame.origin = origin_of(r, joint);
     if (joint && slides(joint->type))
       frame.travel =
@@ -89,8 +90,8 @@ class FramePlanner {
     Direction lead = rigid_.list[r].basis.directions.front(), from;
     if (joint >= 0) frame.angle = declared_angle(r, Mechanism::none);
     if (frame.angle >= 0) {
-      lead = d_.coordinates[frame.angle].of;
-      from = d_.coordinates[frame.angle].from;
+      lead = mechanism_.coordinates[frame.angle].of;
+      from = mechanism_.coordinates[frame.angle].from;
     }
     if (from.is_given())
       frame.from = axes_.find_or_add_axis(parent, unit_vector(axes_.own(parent, from)), "axis");
@@ -105,7 +106,7 @@ class FramePlanner {
     Exact lead;
     frame.angle = declared_angle(r, u);
     if (frame.angle >= 0) {
-      const Mechanism::Coordinate& c = d_.coordinates[frame.angle];
+      const Mechanism::Coordinate& c = mechanism_.coordinates[frame.angle];
       lead = unit_vector(axes_.own(r, c.of));
       frame.from = c.from.vector;
       frame.towards = c.towards.vector;
@@ -170,8 +171,9 @@ class FramePlanner {
   /// fulfils `measures`, and the body's group solves for it. Returns none when there is none.
   template <class Measures>
   int declared(int r, const Measures& measures) const {
-    for (int c = 0; c < static_cast<int>(d_.coordinates.size()); ++c)
-      if (placement_.of(d_.coordinates[c]) == structure_.of_body[r] && measures(d_.coordinates[c]))
+    for (int c = 0; c < static_cast<int>(mechanism_.coordinates.size()); ++c)
+      if (placement_.of(mechanism_.coordinates[c]) == structure_.of_body[r] &&
+          measures(mechanism_.coordinates[c]))
         return c;
     return Mechanism::none;
   }
@@ -200,7 +202,7 @@ class FramePlanner {
   }
 
   FramedMechanism& framed_;
-  Mechanism& d_;
+  Mechanism& mechanism_;
   RigidBodies& rigid_;
   const Structure& structure_;
   Placement placement_;
@@ -210,12 +212,13 @@ class FramePlanner {
 
 }  // namespace
 
-FramedMechanism put_frames(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
-                           Modelling modelling) {
-  FramedMechanism framed{d, rigid, make_tree(d, rigid, structure, modelling), {}, {}, {}, {}, {}};
+FramedMechanism put_frames(const Mechanism& mechanism, const RigidBodies& rigid,
+                           const Structure& structure, Modelling modelling) {
+  FramedMechanism framed{
+      mechanism, rigid, make_tree(mechanism, rigid, structure, modelling), {}, {}, {}, {}, {}};
   framed.frames.resize(rigid.list.size());
-  framed.deriving.assign(d.points.size(), no_position);
-  framed.deriving_vector.assign(d.vectors.size(), no_position);
+  framed.deriving.assign(mechanism.points.size(), no_position);
+  framed.deriving_vector.assign(mechanism.vectors.size(), no_position);
   const auto derive_all_of = [&](int r) {
     for (const int p : rigid.list[r].points) framed.deriving[p] = r;
     for (const int v : rigid.list[r].vectors) framed.deriving_vector[v] = r;

@@ -34,21 +34,22 @@ std::span<const TreeForm> tree_forms() {
 
 class TreeMaker {
  public:
-  TreeMaker(const Mechanism& d, const RigidBodies& rigid, const Structure& structure)
-      : d_(d),
+  TreeMaker(const Mechanism& mechanism, const RigidBodies& rigid, const Structure& structure)
+      : mechanism_(mechanism),
         rigid_(rigid),
         structure_(structure),
-        freedoms_(d.dimension == 2 ? 3 : 6),
+        freedoms_(mechanism.dimension == 2 ? 3 : 6),
         depth_(rigid.list.size(), -1) {
     tree_.hanging.resize(rigid.list.size());
     for (const RigidBody& body : rigid.list)
       tree_.has_frame.push_back(tree_.has_frame.empty() || body.freedoms == freedoms_);
-    tree_.is_of_tree.assign(d.joints.size(), false);
+    tree_.is_of_tree.assign(mechanism.joints.size(), false);
     depth_[0] = 0;
   }
 
   SpanningTree make(bool hangs_by_joints) {
-    const TreeJoint by_free_joint{.turn = d_.dimension == 2 ? Turn::in_plane : Turn::freely};
+    const TreeJoint by_free_joint{.turn =
+                                      mechanism_.dimension == 2 ? Turn::in_plane : Turn::freely};
     for (const StructuralGroup& group : structure_.groups) {
       std::vector<int> left;
       for (const int r : group.bodies)
@@ -81,9 +82,9 @@ class TreeMaker {
       std::tuple<int, int, int, int> rank;  // of candidates, the least one is taken
     };
     std::vector<Candidate> candidates;
-    for (int j = 0; j < static_cast<int>(d_.joints.size()); ++j)
+    for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j)
       for (const bool is_first : {true, false}) {
-        const Mechanism::Joint& joint = d_.joints[j];
+        const Mechanism::Joint& joint = mechanism_.joints[j];
         const int body = rigid_.of_body[joint.bodies[is_first ? 0 : 1]],
                   parent = rigid_.of_body[joint.bodies[is_first ? 1 : 0]];
         if (depth_[parent] < 0 || !tree_.has_frame[parent] ||
@@ -92,7 +93,7 @@ class TreeMaker {
         const TreeForm* form = form_of(joint, body, parent);
         if (!form) continue;
         const int variables =
-            freedoms_ - find_joint_form(joint.type, d_.dimension)->freedoms_removed;
+            freedoms_ - find_joint_form(joint.type, mechanism_.dimension)->freedoms_removed;
         candidates.push_back({body,
                               {parent, j, is_first, form->turn},
                               {variables, -joints_of(body), depth_[parent], j}});
@@ -109,7 +110,7 @@ class TreeMaker {
     // Bodies with the same axes have them as drawn: neither may have a shape of its own.
     const bool has_shape = rigid_.list[body].has_shape() || rigid_.list[parent].has_shape();
     for (const TreeForm& form : tree_forms())
-      if (form.type == j.type && form.dimension == d_.dimension)
+      if (form.type == j.type && form.dimension == mechanism_.dimension)
         return (form.turn == Turn::none && has_shape) || !is_drawn_to_hang(j) ? nullptr : &form;
     return nullptr;
   }
@@ -118,23 +119,23 @@ class TreeMaker {
   /// ones that are drawn with a point off the line. The drawing of a body with its own frame is an
   /// estimate: its joints are as they should be.
   bool is_drawn_to_hang(const Mechanism::Joint& j) const {
-    if (d_.bodies[j.bodies[0]].own || d_.bodies[j.bodies[1]].own) return true;
-    const Drawing<double> drawing{d_};
+    if (mechanism_.bodies[j.bodies[0]].own || mechanism_.bodies[j.bodies[1]].own) return true;
+    const Drawing<double> drawing{mechanism_};
     if (j.type == Mechanism::JointType::universal)
       return std::abs(dot(drawing.vector(j.vectors[0]), drawing.vector(j.vectors[1]))) <=
-             same_direction;
-    if (d_.dimension == 3 || !slides(j.type)) return true;
+             direction_tolerance;
+    if (mechanism_.dimension == 3 || !slides(j.type)) return true;
     const auto u = drawing.vector(j.vectors[0]), s = drawing.direction(j.line());
     const double off = std::abs(u[0] * s[1] - u[1] * s[0]);
-    return off <= same_direction * std::max(1e-300, nominal::extent(d_));
+    return off <= direction_tolerance * std::max(1e-300, nominal::extent(mechanism_));
   }
 
   int joints_of(int r) const {
     return static_cast<int>(std::ranges::count_if(
-        d_.joints, [&](const Mechanism::Joint& j) { return rigid_.is_joint_of(r, j); }));
+        mechanism_.joints, [&](const Mechanism::Joint& j) { return rigid_.is_joint_of(r, j); }));
   }
 
-  const Mechanism& d_;
+  const Mechanism& mechanism_;
   const RigidBodies& rigid_;
   const Structure& structure_;
   const int freedoms_;      // of a body
@@ -144,9 +145,9 @@ class TreeMaker {
 
 }  // namespace
 
-SpanningTree make_tree(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
-                       Modelling modelling) {
-  return TreeMaker(d, rigid, structure).make(modelling == Modelling::relative);
+SpanningTree make_tree(const Mechanism& mechanism, const RigidBodies& rigid,
+                       const Structure& structure, Modelling modelling) {
+  return TreeMaker(mechanism, rigid, structure).make(modelling == Modelling::relative);
 }
 
 }  // namespace desmo

@@ -8,27 +8,27 @@
 
 namespace desmo {
 
-std::vector<Restriction> find_restrictions(const Mechanism& d, const RigidBodies& rigid) {
+std::vector<Restriction> find_restrictions(const Mechanism& mechanism, const RigidBodies& rigid) {
   std::vector<Restriction> all;
-  for (const Mechanism::Joint& j : d.joints) {
-    Restriction r{{}, find_joint_form(j.type, d.dimension)->freedoms_removed};
+  for (const Mechanism::Joint& j : mechanism.joints) {
+    Restriction r{{}, find_joint_form(j.type, mechanism.dimension)->freedoms_removed};
     for (const int b : j.bodies)
       if (rigid.of_body[b] != 0) r.bodies.push_back(rigid.of_body[b]);
     std::ranges::sort(r.bodies);
     const bool one_body = rigid.of_body[j.bodies[0]] == rigid.of_body[j.bodies[1]];
     if (!one_body) all.push_back(std::move(r));
   }
-  for (const Mechanism::Coordinate& c : d.coordinates) {
+  for (const Mechanism::Coordinate& c : mechanism.coordinates) {
     if (!c.driven) continue;
     all.push_back({bodies_related(rigid, c), 1});
     if (all.back().bodies.empty())
       throw std::invalid_argument("driver '" + c.name +
                                   "' measures nothing that can move; drive another coordinate");
   }
-  for (const Mechanism::Coupling& coupling : d.couplings) {
+  for (const Mechanism::Coupling& coupling : mechanism.couplings) {
     std::set<int> bodies;
     for (const auto& [coordinate, factor] : coupling.terms)
-      for (const int b : bodies_related(rigid, d.coordinates[coordinate])) bodies.insert(b);
+      for (const int b : bodies_related(rigid, mechanism.coordinates[coordinate])) bodies.insert(b);
     if (bodies.empty())
       throw std::invalid_argument("coupling '" + coupling.name + "' relates nothing that can move");
     all.push_back({{bodies.begin(), bodies.end()}, 1});

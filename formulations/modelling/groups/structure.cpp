@@ -150,30 +150,34 @@ Structure order_groups(const RigidBodies& rigid, const std::vector<Restriction>&
   return structure;
 }
 
-std::string names_of(const Mechanism& d, const RigidBodies& rigid, const std::vector<int>& list) {
+std::string names_of(const Mechanism& mechanism, const RigidBodies& rigid,
+                     const std::vector<int>& list) {
   constexpr int shown = 8;
-  const auto name = [&](int i) { return "'" + d.bodies[rigid.list[i].bodies.front()].name + "'"; };
+  const auto name = [&](int i) {
+    return "'" + mechanism.bodies[rigid.list[i].bodies.front()].name + "'";
+  };
   return joined(list | std::views::take(shown), name) + (std::ssize(list) > shown ? ", …" : "");
 }
 
-[[noreturn]] void refuse_undetermined(const Mechanism& d, const RigidBodies& rigid,
+[[noreturn]] void refuse_undetermined(const Mechanism& mechanism, const RigidBodies& rigid,
                                       const std::vector<int>& bodies, int missing) {
   // Coordinates that a request defines come after the mechanism's own.
-  const auto measured = std::ranges::find_if(d.coordinates, [&](const Mechanism::Coordinate& c) {
-    return !c.driven && std::ranges::any_of(bodies_related(rigid, c), [&](int b) {
-      return std::ranges::binary_search(bodies, b);
-    });
-  });
+  const auto measured =
+      std::ranges::find_if(mechanism.coordinates, [&](const Mechanism::Coordinate& c) {
+        return !c.driven && std::ranges::any_of(bodies_related(rigid, c), [&](int b) {
+          return std::ranges::binary_search(bodies, b);
+        });
+      });
   std::string spins;
   for (const int b : bodies)
-    if (const std::string about = undetermined_spin(d, rigid, b); !about.empty())
-      spins += "; '" + d.bodies[rigid.list[b].bodies.front()].name + "' is free to spin about " +
-               about + ", which its other points do not follow";
-  throw std::invalid_argument(d.name + " is under-constrained: " + std::to_string(missing) +
+    if (const std::string about = undetermined_spin(mechanism, rigid, b); !about.empty())
+      spins += "; '" + mechanism.bodies[rigid.list[b].bodies.front()].name +
+               "' is free to spin about " + about + ", which its other points do not follow";
+  throw std::invalid_argument(mechanism.name + " is under-constrained: " + std::to_string(missing) +
                               (missing == 1 ? " freedom" : " freedoms") + " among " +
-                              names_of(d, rigid, bodies) + (missing == 1 ? " is" : " are") +
+                              names_of(mechanism, rigid, bodies) + (missing == 1 ? " is" : " are") +
                               " determined by no joint or driver" + spins + "; add a driver" +
-                              (measured == d.coordinates.end()
+                              (measured == mechanism.coordinates.end()
                                    ? " (declare a coordinate to drive)"
                                    : ", such as '" + measured->name + "',") +
                               " or a joint");
@@ -181,12 +185,13 @@ std::string names_of(const Mechanism& d, const RigidBodies& rigid, const std::ve
 
 }  // namespace
 
-Structure find_structure(const Mechanism& d, const RigidBodies& rigid) {
-  if (rigid.list.size() == 1) throw std::invalid_argument(d.name + " has no body that moves");
-  const std::vector<Restriction> all = find_restrictions(d, rigid);
+Structure find_structure(const Mechanism& mechanism, const RigidBodies& rigid) {
+  if (rigid.list.size() == 1)
+    throw std::invalid_argument(mechanism.name + " has no body that moves");
+  const std::vector<Restriction> all = find_restrictions(mechanism, rigid);
   const Matching matching(rigid, all);
   if (const int missing = matching.undetermined(); missing > 0)
-    refuse_undetermined(d, rigid, matching.undetermined_bodies(), missing);
+    refuse_undetermined(mechanism, rigid, matching.undetermined_bodies(), missing);
   return order_groups(rigid, all, matching.components());
 }
 

@@ -58,8 +58,8 @@ Frame BodyFrame::operator()(const Instant& instant) const {
 }
 
 Line BodyFrames::find_line(const Mechanism::Direction& d) {
-  if (!d.is_line()) return {find_operand(d_.vectors[d.vector].name), {}};
-  return {find_operand(d_.points[d.to].name), find_operand(d_.points[d.from].name)};
+  if (!d.is_line()) return {find_operand(mechanism_.vectors[d.vector].name), {}};
+  return {find_operand(mechanism_.points[d.to].name), find_operand(mechanism_.points[d.from].name)};
 }
 
 bool BodyFrames::tells_turn(int body) const {
@@ -73,7 +73,8 @@ BodyFrame BodyFrames::find_frame(int body) {
   if (r == 0) return result;
   const auto& directions = rigid_.list[r].basis.directions;
   if (!tells_turn(body))
-    throw std::invalid_argument("request: the points and vectors of body '" + d_.bodies[body].name +
+    throw std::invalid_argument("request: the points and vectors of body '" +
+                                mechanism_.bodies[body].name +
                                 "' do not tell how it is turned; give it another" +
                                 (directions_needed() == 2 ? " that is not in line with them" : "") +
                                 ", or ask for an angle or a vector");
@@ -85,9 +86,9 @@ BodyFrame BodyFrames::find_frame(int body) {
 }
 
 Vector BodyFrames::drawn(int body, const Mechanism::Direction& direction) const {
-  const BodyDrawing<double> drawing{d_};
+  const BodyDrawing<double> drawing{mechanism_};
   auto x = drawing.direction(direction);
-  if (d_.bodies[body].own) {
+  if (mechanism_.bodies[body].own) {
     const auto local = drawing.direction(rigid_.list[rigid_.of_body[body]], direction);
     Eigen::Vector3d::Map(x.data()) = turn_of_frame(body) * Eigen::Vector3d(local.data());
   }
@@ -95,7 +96,7 @@ Vector BodyFrames::drawn(int body, const Mechanism::Direction& direction) const 
 }
 
 Eigen::Matrix3d BodyFrames::turn_of_frame(int body) const {
-  const auto& own = d_.bodies[body].own;
+  const auto& own = mechanism_.bodies[body].own;
   if (!own) return Eigen::Matrix3d::Identity();
   const Eigen::Vector3d rotation(own->rotation.data());
   return Eigen::AngleAxisd(rotation.norm(), rotation.normalized()).toRotationMatrix();

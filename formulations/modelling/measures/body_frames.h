@@ -55,8 +55,8 @@ struct BodyFrame {
 class BodyFrames {
  public:
   /// inputs: what the directions and frames read is added to it.
-  BodyFrames(const Mechanism& d, const Model& m, std::vector<Output>& inputs)
-      : d_(d), m_(m), inputs_(inputs), rigid_(find_rigid_bodies(d)) {}
+  BodyFrames(const Mechanism& mechanism, const Model& m, std::vector<Output>& inputs)
+      : mechanism_(mechanism), m_(m), inputs_(inputs), rigid_(find_rigid_bodies(mechanism)) {}
 
   Line find_line(const Mechanism::Direction& direction);
   /// Returns whether a body's points and vectors tell how it is turned.
@@ -75,9 +75,9 @@ class BodyFrames {
  private:
   Operand find_operand(const std::string& name);
   /// Returns how many directions tell how a body is turned.
-  std::size_t directions_needed() const { return d_.dimension == 2 ? 1 : 2; }
+  std::size_t directions_needed() const { return mechanism_.dimension == 2 ? 1 : 2; }
 
-  const Mechanism& d_;
+  const Mechanism& mechanism_;
   const Model& m_;
   std::vector<Output>& inputs_;
   const RigidBodies rigid_;

@@ -52,7 +52,10 @@ double angle_about(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rotati
 class Builder {
  public:
   Builder(const Scene& scene, const Model& model, Measures::DrivenBy driven_by)
-      : d_(scene.mechanism), m_(model), driven_by_(driven_by), bodies_(d_, m_, inputs) {
+      : mechanism_(scene.mechanism),
+        m_(model),
+        driven_by_(driven_by),
+        bodies_(mechanism_, m_, inputs) {
     for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
       for (int i = 0; i < m_.entities[e].size; ++i)
         taken_.insert(coordinate_name(m_, e, m_.entities[e].first + i));
@@ -67,8 +70,9 @@ class Builder {
       if (list.size() == before) continue;
       std::erase_if(unmet, [&](const auto& pattern) {
         return pattern.first == wanted.kind &&
-               matches(pattern.second, wanted.kind == rotation ? d_.bodies[wanted.index].name
-                                                               : d_.joints[wanted.index].name);
+               matches(pattern.second, wanted.kind == rotation
+                                           ? mechanism_.bodies[wanted.index].name
+                                           : mechanism_.joints[wanted.index].name);
       });
     }
     if (!unmet.empty())
@@ -86,10 +90,10 @@ class Builder {
   using Axes = std::vector<Eigen::Vector3d>;
 
   void add_rotation(int body) {
-    const std::string& name = d_.bodies[body].name;
+    const std::string& name = mechanism_.bodies[body].name;
     Axes axes{Eigen::Vector3d::UnitZ()};
     std::vector<std::string> components{""};
-    if (d_.dimension == 3) {
+    if (mechanism_.dimension == 3) {
       axes = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
       components = {".x", ".y", ".z"};
     }
@@ -107,15 +111,15 @@ class Builder {
   }
 
   void add_joint(const RequestedMeasure& wanted) {
-    const Mechanism::Joint& joint = d_.joints[wanted.index];
-    const Drawing<double> drawing{d_};
+    const Mechanism::Joint& joint = mechanism_.joints[wanted.index];
+    const Drawing<double> drawing{mechanism_};
     const auto add_with_rates = [&](const std::string& name, EntityKind kind) {
       add({name, "d/dt " + name, "d2/dt2 " + name}, kind);
       return list.size() - 1;
     };
     if (turns(joint.type) && has_turn(wanted, {joint.bodies[0], joint.bodies[1]})) {
       Vector axis{0., 0., 1.};
-      if (d_.dimension == 3)
+      if (mechanism_.dimension == 3)
         axis = unit(bodies_.drawn(joint.bodies[0], joint.vectors.empty()
                                                        ? joint.line()
                                                        : Mechanism::Direction{joint.vectors[0]}));
@@ -186,7 +190,7 @@ class Builder {
     list.push_back({std::move(names), kind});
   }
 
-  const Mechanism& d_;
+  const Mechanism& mechanism_;
   const Model& m_;
   Measures::DrivenBy driven_by_;
   BodyFrames bodies_;

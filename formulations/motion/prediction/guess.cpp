@@ -46,7 +46,7 @@ Guess best_guess(Guess wanted, const StepHistory& history) {
   return Guess::previous;
 }
 
-Extrapolation::Extrapolation(Guess guess, const StepHistory& history) : guess_(guess) {
+Prediction::Prediction(Guess guess, const StepHistory& history) : guess_(guess) {
   const double h = history.h, k = history.h_before, r = h / k, s = 1 + r;
   // Hermite's basis on [0, 1] at s = 1 + r. There, 0 is the instant before the last, 1 the last
   // one, k seconds later, and s the predicted one. The basis is factored about its zeros at 1, so

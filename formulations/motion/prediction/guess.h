@@ -43,13 +43,14 @@ struct StepHistory {
 /// rounding.
 Guess best_guess(Guess wanted, const StepHistory& history);
 
-/// A guess as a weighted sum. The weights are computed once a step; each coordinate then takes a
-/// few operations. With the last instant as number 1 and the one before it as number 0:
+/// The prediction of a step by a guess, as a weighted sum. The weights are computed once a step;
+/// each coordinate then takes a few operations. With the last instant as number 1 and the one
+/// before it as number 0:
 ///   q = q₁ + w_q (q₀ − q₁) + w_v1 q̇₁ + w_a1 q̈₁ + w_v0 q̇₀ + w_a0 q̈₀.
-class Extrapolation {
+class Prediction {
  public:
   /// guess: one that the history allows (best_guess).
-  Extrapolation(Guess guess, const StepHistory& history);
+  Prediction(Guess guess, const StepHistory& history);
 
   /// Writes the predicted coordinates of some ranges into q, which may be the q of `last` or
   /// `before`. last, before: states in single numbers or in lanes; only what the guess needs of
@@ -64,8 +65,8 @@ class Extrapolation {
 };
 
 template <class States>
-void Extrapolation::operator()(std::span<const IndexRange> ranges, const States& last,
-                               const States& before, double* q) const {
+void Prediction::operator()(std::span<const IndexRange> ranges, const States& last,
+                            const States& before, double* q) const {
   const double *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
   const double *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
   const double w_q = w_q_, w_v1 = w_v1_, w_a1 = w_a1_, w_v0 = w_v0_, w_a0 = w_a0_;

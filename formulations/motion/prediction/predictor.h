@@ -32,7 +32,7 @@ class Predictor {
                             last.qdd.data(), q))
         return;
     }
-    Extrapolation(best_guess(wanted_, history), history)(ranges_, last, before, q);
+    Prediction(best_guess(wanted_, history), history)(ranges_, last, before, q);
   }
 
   bool empty() const { return ranges_.empty(); }

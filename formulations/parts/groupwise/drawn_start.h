@@ -70,7 +70,8 @@ class DrawnStart {
   /// Maximum number of turns (≤) that a driver makes. One that is farther from its first value
   /// leaves out whole turns, unless couplings count them.
   static constexpr double max_turns = 4;
-  static constexpr double settled = 1e-9;  // relative correction (≤) that ends an iteration
+  /// Limit of the relative correction (≤) that ends an iteration.
+  static constexpr double correction_tolerance = 1e-9;
 
   /// Returns the number of whole turns nearest to `off` [rad]. Half a turn counts as none.
   static double whole_turns(double off) { return std::round(off / turn * (1 - 0x1p-40)); }
@@ -101,15 +102,16 @@ class DrawnStart {
     return true;
   }
 
-  /// Returns whether the corrections contract until one is at most `settled`. The first is at most
-  /// max_change, each other one at most a quarter of the one before.
+  /// Returns whether the corrections contract until one is at most
+  /// correction_tolerance. The first is at most max_change, each other one at most a quarter of the
+  /// one before.
   bool contracts() {
     double limit = max_change;
     try {
       while (true) {
         const double correction = solver_.correct_positions();
         if (!(correction <= limit)) return false;
-        if (correction <= settled) return true;
+        if (correction <= correction_tolerance) return true;
         limit = correction / 4;
       }
     } catch (const std::runtime_error&) {  // the Jacobian is singular

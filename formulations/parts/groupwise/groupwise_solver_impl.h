@@ -11,7 +11,7 @@
 #include "formulations/model/part_system.h"
 #include "formulations/parts/groupwise/dense_lu.h"
 #include "formulations/parts/groupwise/groupwise_solver.h"
-#include "formulations/parts/groupwise/settling.h"
+#include "formulations/parts/groupwise/stopping_rule.h"
 
 namespace desmo {
 
@@ -58,9 +58,9 @@ void GroupwiseSolver<S>::solve_rates() {
 
 template <class S>
 void GroupwiseSolver<S>::solve_positions(std::size_t part, double t) {
-  Settling<S> settled;
-  for (int iteration = 0; iteration < settled.max_corrections; ++iteration)
-    if (settled(correct(part))) return;
+  StoppingRule<S> stops_after;
+  for (int iteration = 0; iteration < stops_after.max_corrections; ++iteration)
+    if (stops_after(correct(part))) return;
   throw std::runtime_error(m_.name + ", group '" + m_.groups[parts_[part].groups.front()].name +
                            "': no reference solution at t = " + std::to_string(t) + " s");
 }

@@ -17,7 +17,7 @@ namespace {
 /// Proves the instant of the motion at a time, on the branch to which the line leads. Proves also
 /// that the motion goes on from there to a later time, or to a point at which another group is
 /// stuck. Writes point.before and point.first.
-bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, double time,
+bool prove_beyond(const Model& m, SingularityCrossing& crossing, GroupId group, double time,
                   double later, PassedPoint& point) {
   const PerLevel<std::vector<double>> z = drivers_at(m, time);
   const double s = crossing.line().arc(z.position);
@@ -80,7 +80,7 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
 /// has just before the point, and no knot on it.
 std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const CertifiedInstant& last,
                                 std::span<const double> direction, double start, GroupId group) {
-  StraightCrossing crossing(smooth, last, direction, group);
+  SingularityCrossing crossing(smooth, last, direction, group);
   if (!crossing.find()) return {};
   PassedPoint point{.time = start,
                     .after = start,

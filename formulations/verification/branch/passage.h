@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/verification/branch/straight_crossing.h"
+#include "formulations/verification/branch/singularity_crossing.h"
 
 namespace desmo {
 
@@ -35,9 +35,9 @@ struct PassedPoint {
 };
 
 /// Passes the change point on which a motion is stuck (PathEnd::stuck), if there is a smooth
-/// continuation (StraightCrossing). Then the motion goes on beyond the point or, where its drivers
-/// turn back, on the branch that it came from. Returns nothing at a fold, where branches are too
-/// alike to be told apart, and where the path of the drivers has a corner.
+/// continuation (SingularityCrossing). Then the motion goes on beyond the point or, where its
+/// drivers turn back, on the branch that it came from. Returns nothing at a fold, where branches
+/// are too alike to be told apart, and where the path of the drivers has a corner.
 /// - last: the last proven instant, where BranchPath::present() is
 /// - group: the singular group (FollowedStep::group); no_position: it is not known
 ///

@@ -83,9 +83,9 @@ bool is_lost_in_rounding(const Model& going) {
   });
 }
 
-/// Leads the drivers from the drawing to their values at a time [s], then adds the turns that were
+/// Moves the drivers from the drawing to their values at a time [s], then adds the turns that were
 /// left out on the way. Returns whether the way is proven.
-bool lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart& found) {
+bool continue_drivers(const Model& m, double time, const Turns& left_out, FoundStart& found) {
   Model going = m;
   for (std::size_t d = 0; d < m.drivers.size(); ++d) {
     Motion& motion = going.drivers[d].motion;
@@ -199,12 +199,12 @@ FoundStart find_start(const Model& m, double time) {
   const Turns none{std::vector<double>(m.drivers.size()), std::vector<double>(m.coordinates())};
   std::optional<Turns> left_out;
   if (are_many) left_out = turns_that_lead_back(m, time, nominal);
-  bool is_reached = lead_drivers(m, time, left_out.value_or(none), found);
+  bool is_reached = continue_drivers(m, time, left_out.value_or(none), found);
   if (!are_many && found.out_of_tests) {
     left_out = turns_that_lead_back(m, time, nominal);
     if (left_out) {
       found = nominal;
-      is_reached = lead_drivers(m, time, *left_out, found);
+      is_reached = continue_drivers(m, time, *left_out, found);
     }
   }
   if (!is_reached) found.stage = Stage::drivers;

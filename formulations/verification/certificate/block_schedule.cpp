@@ -52,27 +52,27 @@ class ScheduleBuilder {
     std::vector<BlockBatch::Member> members;
   };
 
-  /// Finds what each group reads, how long the longest chain through it is, and which are links.
+  /// Finds the inputs of each group, how long the longest chain through it is, and which are links.
   void find_chains(const std::vector<PartDefinition>& definitions) {
     const std::size_t size = definitions.size();
-    reads_.resize(size);
+    inputs_.resize(size);
     is_link_.resize(size);
     std::vector<int> depth(size, 1), height(size, 1);
     for (std::size_t g = 0; g < size; ++g) {
       const ShapedBlock whole = shaped_block(m_, definitions[g]);
-      for (const int i : whole.inputs()) reads_[g][group_[i]].push_back(i);
-      for (auto& [from, coordinates] : reads_[g]) {
+      for (const int i : whole.inputs()) inputs_[g][group_[i]].push_back(i);
+      for (auto& [from, coordinates] : inputs_[g]) {
         std::ranges::sort(coordinates);
         if (from >= 0) depth[g] = std::max(depth[g], depth[from] + 1);
       }
       for (const int i : definitions[g].unknowns) group_[i] = static_cast<int>(g);
     }
     for (std::size_t g = size; g-- > 0;)
-      for (const auto& [from, coordinates] : reads_[g])
+      for (const auto& [from, coordinates] : inputs_[g])
         if (from >= 0) height[from] = std::max(height[from], height[g] + 1);
     for (std::size_t g = 0; g < size; ++g) chain_.push_back(depth[g] + height[g] - 1);
     for (std::size_t g = 0; g < size; ++g)
-      for (const auto& [from, coordinates] : reads_[g])
+      for (const auto& [from, coordinates] : inputs_[g])
         if (is_long(from)) is_link_[g] = is_link_[from] = true;
   }
   bool is_long(int group) const { return group >= 0 && chain_[group] > max_boxed_chain; }
@@ -127,7 +127,7 @@ class ScheduleBuilder {
     int rows = 0, depth = 0;
     std::vector<int> row = row_;  // row of each coordinate while this group is certified
     const int lent = m_.state_size();
-    for (const auto& [from, coordinates] : reads_[group]) {
+    for (const auto& [from, coordinates] : inputs_[group]) {
       const int size = static_cast<int>(coordinates.size());
       depth = std::max(depth, depth_of(coordinates));
       if (is_long(from)) {
@@ -174,8 +174,8 @@ class ScheduleBuilder {
   const Model& m_;
   std::span<const Level> up_to_;
   const std::vector<double> magnitudes_;
-  // Coordinates that each group reads, by the group that solves them; -1: they are driven.
-  std::vector<std::map<int, std::vector<int>>> reads_;
+  // Inputs of each group, by the group that solves them; -1: they are driven.
+  std::vector<std::map<int, std::vector<int>>> inputs_;
   std::vector<int> chain_;     // groups in the longest chain through each
   std::vector<bool> is_link_;  // whether each group gets a ChainLink
   std::map<int, int> link_of_;

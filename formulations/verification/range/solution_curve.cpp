@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "formulations/model/characteristic_lengths.h"
-#include "formulations/parts/groupwise/settling.h"
+#include "formulations/parts/groupwise/stopping_rule.h"
 
 namespace desmo {
 
@@ -96,7 +96,7 @@ void SolutionCurve::move(std::vector<double>& state, double factor,
 /// correction is larger than `max_first`, or a later one larger than half of the one before.
 bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& border,
                             double max_first) {
-  Settling<double> settled;
+  StoppingRule<double> stops_after;
   for (double max = max_first; factor(state, border);) {
     system_.residual<double>(state, phi_);
     Eigen::VectorXd change = Eigen::VectorXd::Zero(size() + 1);
@@ -106,7 +106,7 @@ bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& b
     move(state, -1, change);
     const double largest = change.cwiseAbs().maxCoeff();
     if (!std::isfinite(largest)) return false;
-    if (settled(largest)) return true;
+    if (stops_after(largest)) return true;
     if (largest > max) return false;
     max = largest / 2;
   }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "formulations/constraints/jet.h"
-#include "formulations/parts/groupwise/settling.h"
+#include "formulations/parts/groupwise/stopping_rule.h"
 #include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo {
@@ -34,9 +34,9 @@ template <class S>
 void GlobalSolver<S>::solve_positions(double t) {
   time_ = t;
   this->drive_to(t);
-  Settling<S> settled;
-  for (int iteration = 0; iteration < settled.max_corrections; ++iteration)
-    if (settled(correct_positions())) return;
+  StoppingRule<S> stops_after;
+  for (int iteration = 0; iteration < stops_after.max_corrections; ++iteration)
+    if (stops_after(correct_positions())) return;
   throw std::runtime_error(m_.name + ": no global reference solution at t = " + std::to_string(t) +
                            " s");
 }

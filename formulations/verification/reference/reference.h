@@ -18,7 +18,7 @@ enum class Precision { standard, quadruple };
 /// parts. It uses Newton's method with dense matrices and pivoting, in steps of at most 10 ms. They
 /// begin at an assembly at times.front(), on the drawn branch if DrawnStart finds it. With
 /// quadruple precision each instant is solved again in that precision, and has remainders.
-/// Iterations end when only rounding is left (Settling). Throws std::runtime_error, naming the
+/// Iterations end when only rounding is left (StoppingRule). Throws std::runtime_error, naming the
 /// group and the instant, when one does not converge.
 std::vector<ReferenceInstant> reference_solution(const Model& model, std::span<const double> times,
                                                  Precision precision);
@@ -37,10 +37,10 @@ struct Reference {
 /// equations at once (GlobalSolver). The second refines sparse factors in doubles, and finds rates
 /// from the residuals alone, by jets. The two share only the constraint kinds' residuals, the
 /// motions, and how an instant is set, read and corrected (ReferenceSolver). They also share the
-/// rules for steps and for the end of iterations (DrawnStart, Settling). An error in the partition,
-/// in a derivative or in an elimination, or a wrong branch in one of them, shows in `floor`. Throws
-/// std::runtime_error, naming the instant, when either does not converge. ErrorMeasure (error.h)
-/// compares a run with it:
+/// rules for steps and for the end of iterations (DrawnStart, StoppingRule). An error in the
+/// partition, in a derivative or in an elimination, or a wrong branch in one of them, shows in
+/// `floor`. Throws std::runtime_error, naming the instant, when either does not converge.
+/// ErrorMeasure (error.h) compares a run with it:
 ///
 ///   const Reference reference = make_reference(model, times);
 ///   ErrorMeasure measure(model, reference.instants, reference.scales);

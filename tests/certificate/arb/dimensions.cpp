@@ -150,8 +150,9 @@ RandomFile random_space(std::mt19937& g) {
 /// Expects that every equation between points and vectors holds where the file draws these, within
 /// the radii of its dimensions. Kinds with one dimension tell its error.
 void expect_closed(const RandomFile& file, std::map<std::string, Attained>& attained) {
-  const Mechanism d = parse_mechanism(file.text, "random.json");
-  const Model m = model_mechanism(d, {Motion(Polynomial{{0.1}}), Motion(Polynomial{{0.1}})}).model;
+  const Mechanism mechanism = parse_mechanism(file.text, "random.json");
+  const Model m =
+      model_mechanism(mechanism, {Motion(Polynomial{{0.1}}), Motion(Polynomial{{0.1}})}).model;
   const auto place = [&](const Entity& e) {
     const auto found = file.places.find(e.name.starts_with("ground: ") ? e.name.substr(8) : e.name);
     return found == file.places.end() ? nullptr : &found->second;

@@ -1,4 +1,4 @@
-#include "formulations/verification/branch/straight_crossing.h"
+#include "formulations/verification/branch/singularity_crossing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +19,12 @@ bool may_be_same(const Interval& a, const Interval& b) {
 }  // namespace
 
 /// Returns a number of a node with its radius.
-Interval StraightCrossing::number(const Node& node, Level level, int coordinate) {
+Interval SingularityCrossing::number(const Node& node, Level level, int coordinate) {
   return {node.values[level][coordinate], node.radius[level][coordinate]};
 }
 
-StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
-                                   std::span<const double> direction, GroupId group)
+SingularityCrossing::SingularityCrossing(const Model& m, const CertifiedInstant& last,
+                                         std::span<const double> direction, GroupId group)
     : magnitudes_(nominal_magnitudes(m)),
       line_(m, last.values.position, direction, group),
       model_(m),
@@ -39,7 +39,7 @@ StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
 /// the point that no path leads back from it. So a path starts from a point of its Taylor
 /// polynomial. That is on the same branch if the nodes, extended to s = 0, meet the last instant
 /// (leads_to()).
-void StraightCrossing::find_nodes(const CertifiedInstant& last) {
+void SingularityCrossing::find_nodes(const CertifiedInstant& last) {
   const std::vector<double> zeros(model_.coordinates());
   const std::optional<Node> here = node({0, {last.values.position, zeros, zeros}, {}});
   if (!here) return;
@@ -64,7 +64,7 @@ void StraightCrossing::find_nodes(const CertifiedInstant& last) {
 
 /// Returns whether the branch of the nodes leads to the instant `end` at s = 0. Adds nodes up to
 /// s = nearest, and extends the polynomial through the last two.
-bool StraightCrossing::leads_to(const Node& end, double nearest) {
+bool SingularityCrossing::leads_to(const Node& end, double nearest) {
   if (nodes_.empty()) return false;
   int count = 2;
   while (std::ldexp(nodes_.front().s, -count) < nearest) ++count;
@@ -84,12 +84,13 @@ bool StraightCrossing::leads_to(const Node& end, double nearest) {
   return true;
 }
 
-double StraightCrossing::distance(int level) const {
+double SingularityCrossing::distance(int level) const {
   return std::ldexp(-nodes_.front().s, -1 - level);
 }
 
 /// Returns a copy of an instant with the radii of its rates; nothing where they are not proven.
-std::optional<StraightCrossing::Node> StraightCrossing::node(const CertifiedInstant& instant) {
+std::optional<SingularityCrossing::Node> SingularityCrossing::node(
+    const CertifiedInstant& instant) {
   const RefinedInstant& r = refinement_.refine(instant_of(instant.time, instant.values));
   if (!r.proven) return {};
   Node copy{instant.time, {}, {}};
@@ -102,7 +103,7 @@ std::optional<StraightCrossing::Node> StraightCrossing::node(const CertifiedInst
 }
 
 /// Adds nodes before the point until there are `count`. Returns whether all are proven.
-bool StraightCrossing::reach_nodes(int count) {
+bool SingularityCrossing::reach_nodes(int count) {
   while (static_cast<int>(nodes_.size()) < count) {
     if (before_.go_to(nodes_.back().s / 2).end != PathEnd::same) return false;
     std::optional<Node> next = node(before_.present());
@@ -113,7 +114,7 @@ bool StraightCrossing::reach_nodes(int count) {
 }
 
 /// Returns the quintic through two nodes, with their radii. Its argument is −1 and 1 there.
-Quintic<Interval> StraightCrossing::polynomial(const Node& a, const Node& b, int i) const {
+Quintic<Interval> SingularityCrossing::polynomial(const Node& a, const Node& b, int i) const {
   const double half = (b.s - a.s) / 2;
   const auto end = [&](const Node& x) {
     return EndValues<Interval>{number(x, Level::position, i), number(x, Level::velocity, i) * half,
@@ -124,7 +125,7 @@ Quintic<Interval> StraightCrossing::polynomial(const Node& a, const Node& b, int
 
 /// Compares the quintic through the two nodes of a level, extended beyond the point, with an
 /// instant there.
-StraightCrossing::Miss StraightCrossing::miss(int level, const Node& beyond) const {
+SingularityCrossing::Miss SingularityCrossing::miss(int level, const Node& beyond) const {
   const Node &far = nodes_[level], &near = nodes_[level + 1];
   Miss result;
   for (int i = 0; i < model_.coordinates(); ++i) {
@@ -139,14 +140,14 @@ StraightCrossing::Miss StraightCrossing::miss(int level, const Node& beyond) con
 }
 
 /// Returns the largest ratio of the miss of a coordinate to its unit.
-double StraightCrossing::Miss::over(const std::vector<double>& unit) const {
+double SingularityCrossing::Miss::over(const std::vector<double>& unit) const {
   double largest = 0;
   for (std::size_t i = 0; i < unit.size(); ++i) largest = std::max(largest, amount[i] / unit[i]);
   return largest;
 }
 
 /// Ends at the latest where the distance, halved each time, falls to the roundoff u.
-double StraightCrossing::measure_fall(int level, std::span<const double> positions) {
+double SingularityCrossing::measure_fall(int level, std::span<const double> positions) {
   if (!beyond_.start_at({distance(level), {positions, {}, {}}, {}})) return 0;
   Miss last;
   double least = INFINITY, bottom = 0, deepest = 0;
@@ -189,7 +190,7 @@ double StraightCrossing::measure_fall(int level, std::span<const double> positio
 }
 
 /// Lays the polynomials across the point, through a node before it and one beyond.
-void StraightCrossing::join(const Node& before, const Node& beyond) {
+void SingularityCrossing::join(const Node& before, const Node& beyond) {
   width_ = beyond.s;
   positions_.resize(model_.coordinates());
   for (int i = 0; i < model_.coordinates(); ++i) {
@@ -198,7 +199,7 @@ void StraightCrossing::join(const Node& before, const Node& beyond) {
   }
 }
 
-bool StraightCrossing::find() {
+bool SingularityCrossing::find() {
   if (nodes_.empty()) return false;
   // At smaller h, rounding hides even jumps of the first derivative.
   for (int level = 0; distance(level) > std::sqrt(Interval::unit); ++level) {
@@ -215,7 +216,7 @@ bool StraightCrossing::find() {
   return false;
 }
 
-const CertifiedInstant* StraightCrossing::go_to(double s) {
+const CertifiedInstant* SingularityCrossing::go_to(double s) {
   BranchPath& path = s > 0 ? beyond_ : before_;
   // Starts at a distance and goes towards the point: right next to it no path leads away.
   if (!path.start_at({std::copysign(reach_, s), {about_[s > 0], {}, {}}, {}})) return nullptr;

@@ -24,7 +24,7 @@ namespace desmo {
 /// The line needs no instants of the motion, which may start, end, rest or turn back on the point.
 /// It leads as far before and beyond as the mechanism moves. Both sides of it are proven paths
 /// (BranchPath).
-class StraightCrossing {
+class SingularityCrossing {
  public:
   /// A continuation counts as smooth if the miss falls at least by this factor where h is halved:
   /// 2⁵, as where the fifth derivative jumps.
@@ -34,10 +34,10 @@ class StraightCrossing {
   /// - last: a proven instant just before the point; s is 0 there
   /// - direction: rates of the drivers, of any length
   /// - group: the group that is singular on the point (see DriverLine)
-  StraightCrossing(const Model& model, const CertifiedInstant& last,
-                   std::span<const double> direction, GroupId group = no_position);
-  StraightCrossing(const StraightCrossing&) = delete;
-  StraightCrossing& operator=(const StraightCrossing&) = delete;
+  SingularityCrossing(const Model& model, const CertifiedInstant& last,
+                      std::span<const double> direction, GroupId group = no_position);
+  SingularityCrossing(const SingularityCrossing&) = delete;
+  SingularityCrossing& operator=(const SingularityCrossing&) = delete;
 
   /// Finds the smooth continuation, and sets nearest(), reach(), positions() and width(). Returns
   /// whether one is found; false also where proofs fail or rounding hides which branch is smooth.

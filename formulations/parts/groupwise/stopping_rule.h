@@ -10,7 +10,7 @@ namespace desmo {
 /// last one is below 1000 ε, or it is below √ε and above half the one before. The latter means that
 /// conditioning allows no better. Unlike a bound on ‖Φ‖ the rule does not depend on units.
 template <class S>
-class Settling {
+class StoppingRule {
  public:
   /// Maximum number of corrections: iteration < max_corrections. From a drawing the first ones may
   /// grow; where there is no solution they never settle.
