@@ -48,6 +48,16 @@ inline std::string refuse_nan(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? "is not a number" : "";
 }
 
+/// Returns the message that rejects an option's value that is not above 0 and finite; "" accepts
+/// it. CLI::PositiveNumber would print the largest double with all its digits. For
+/// CLI::Option::check.
+inline std::string require_positive(const std::string& text) {
+  const std::string not_a_number = refuse_nan(text);
+  if (!not_a_number.empty()) return not_a_number;
+  const double value = std::strtod(text.c_str(), nullptr);
+  return value > 0 && std::isfinite(value) ? "" : "must be positive and finite";
+}
+
 /// Adds the required argument of a command that takes a scene.
 inline void add_scene(CLI::App& command, std::string& scene) {
   command

@@ -153,8 +153,7 @@ void add_tune(CLI::App& program) {
   command
       .add_option("--max-error", options.goal.max_error,
                   "Largest error, relative to the size (speed, acceleration) of the mechanism")
-      ->check(refuse_nan)
-      ->check(CLI::PositiveNumber);
+      ->check(require_positive);
   command
       .add_option("--budget", options.goal.budget,
                   "Time that a step may take, such as 50us: the most accurate within it. "
@@ -162,7 +161,7 @@ void add_tune(CLI::App& program) {
       ->transform(CLI::AsNumberWithUnit(
           std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},
           CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
-      ->check(CLI::PositiveNumber);
+      ->check(require_positive);
   Choices<Level> levels;
   for (const Level level : all_levels) levels.emplace_back(level_names[level], level);
   add_choice(command, "--level", options.goal.level, levels,

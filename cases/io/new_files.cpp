@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <list>
@@ -17,13 +18,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Returns at most `most` bytes from a name's beginning, and no part of a character in UTF-8.
+std::string beginning(const std::string& name, std::size_t most) {
+  std::size_t end = std::min(name.size(), most);
+  const auto continues = [&](std::size_t i) {
+    return (static_cast<unsigned char>(name[i]) & 0xC0) == 0x80;
+  };
+  while (end > 0 && end < name.size() && continues(end)) --end;
+  return name.substr(0, end);
+}
+
 /// Returns a random file name in the target's folder, so that the file can be renamed to the
-/// target. A file of that name is not expected; opening would then fail.
+/// target. A file of that name is not expected; opening would then fail. The name begins as that of
+/// the target, and is never too long where that is not: file systems allow 255 bytes, and eCryptfs
+/// 143.
 std::string name_beside(const std::string& target) {
+  constexpr std::size_t max_begin = 100;  // bytes of the target's name (≤); at most 23 are added
   std::random_device random;
   const fs::path path(target);
-  return (path.parent_path() /
-          ("." + path.filename().string() + "." + std::to_string(random()) + ".unfinished"))
+  return (path.parent_path() / ("." + beginning(path.filename().string(), max_begin) + "." +
+                                std::to_string(random()) + ".unfinished"))
       .string();
 }
 

@@ -63,7 +63,11 @@ struct TableFile {
       else if (width != 2)
         fail("no column is called " + name(i) + "; " +
              remedy(fields.front(), suggestion(columns[i]->name, names)));
-      else if (names[i] == columns[1 - i]->name ||
+      else if (double number; to_number(fields[i], number))
+        fail("column 1: " + in_quotes(fields.front()) + " is not a number, and column " +
+             std::to_string(i + 1) + ", " + in_quotes(fields[i]) +
+             ", is not a name; give two numbers or two names");
+      else if (names[i] == columns[1 - i]->name || is_time_among_values(i, names[i]) ||
                std::ranges::count(coordinates, names[i], &Mechanism::Coordinate::name) > 0)
         fail("column " + std::to_string(i + 1) + " is called " + in_quotes(names[i]) + ", where " +
              name(i) + " is expected; correct the heading");
@@ -71,7 +75,15 @@ struct TableFile {
     if (at[0] == at[1])
       fail("column " + std::to_string(at[0] + 1) + ", " + name(0) +
            ", would be arguments and values; rename the coordinate, or leave the heading out");
+    for (const int i : {0, 1})
+      if (std::ranges::count(names, columns[i]->name) > 1)
+        fail("two columns are called " + name(i) + "; leave one out");
     for (const int i : {0, 1}) read_unit(*columns[i], column_heading(fields[at[i]]));
+  }
+
+  /// Returns whether a column of values is called "time", while times are the arguments.
+  bool is_time_among_values(int column, std::string_view heading) const {
+    return column == 1 && columns[0]->name == "t" && (heading == "time" || heading == "Time");
   }
 
   void read_unit(TableColumn& column, const ColumnHeading& heading) const {

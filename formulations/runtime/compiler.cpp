@@ -113,6 +113,10 @@ void Compiler::compile(const std::string& source, const std::string& library, in
   if (!ending.good)
     throw Unavailable(printable(file_, 200) + ": cannot compile the kernels: " +
                       error_text(ending.output) + "; set CXX to another C++ compiler");
+  struct stat status {};
+  if (::fstatat(folder, library.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
+    throw Unavailable(printable(file_, 200) +
+                      ": succeeds but makes no library; set CXX to a C++ compiler");
 }
 
 }  // namespace desmo::load

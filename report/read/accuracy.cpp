@@ -28,7 +28,8 @@ MaxErrors read_errors(const RecordValue& node) {
 Configuration read_configuration(const RecordValue& node) {
   const std::string id = node.text();
   if (auto configuration = parse_configuration(id)) return *std::move(configuration);
-  node.complain("\"" + id + "\" is not a formulation with settings, /key:value, each once");
+  node.complain(in_double_quotes(id) +
+                " is not a formulation with settings, /key:value, each once");
 }
 
 Point read_point(const RecordValue& node) {

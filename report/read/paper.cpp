@@ -104,7 +104,7 @@ void read_paper(Record& record, const RecordValue& experiment) {
       // The table of threads reads their number from the id, since a failed candidate has no other.
       static const std::regex no_number("/threads:(?![1-9][0-9]{0,8}(/|$))");
       if (std::regex_search(key.id, no_number))
-        node["id"].complain("\"" + key.id + "\" has no number of threads");
+        node["id"].complain(in_double_quotes(key.id) + " has no number of threads");
       add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,
                read_candidate(node, settings, key.id), name_of(key));
     });

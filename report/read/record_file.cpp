@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cases/io/text_file.h"
+#include "cases/mechanism/names.h"
 #include "report/text/texts.h"
 
 namespace desmo::report {
@@ -70,16 +71,17 @@ const Version known_version = *parse_version(schema_version);
 // Before 2.0.0 the key of the version was "version".
 void check_schema(const RecordValue& root, const std::string& name) {
   const std::string schema = root["schema"].text();
-  if (schema != name) root["schema"].complain("\"" + schema + "\" is not \"" + name + "\"");
+  if (schema != name)
+    root["schema"].complain(in_double_quotes(schema) + " is not " + in_double_quotes(name));
   const bool old = !root.find("schema_version") && root.find("version");
   const RecordValue node = root[old ? "version" : "schema_version"];
   const std::string text = node.text();
   const std::optional<Version> version = parse_version(text);
-  if (!version) node.complain("\"" + text + "\" is not a version, as " + schema_version);
+  if (!version) node.complain(in_double_quotes(text) + " is not a version, as " + schema_version);
   const int major = version->front(), known = known_version.front();
   if (major == known || major == known - 1) return;
   try {
-    node.complain("schema version " + text + ", and this program reads " +
+    node.complain("schema version " + printable(text) + ", and this program reads " +
                   std::to_string(known - 1) + ".x and " + std::to_string(known) + ".x; " +
                   (major > known ? "update desmo and build it again"
                                  : "measure it anew (bench/run, bench/check --renew-baseline), or "

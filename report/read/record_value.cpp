@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/mechanism/names.h"
 #include "report/text/digits.h"
 
 namespace desmo::report {
@@ -13,13 +14,13 @@ constexpr double max_count = 1e15;  // below 2^53: each whole number is a double
 constexpr double min_sample = 1e-9;
 constexpr double max_sample = 1e9;
 
-std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
-
 bool has_only(std::string_view text, std::string_view characters) {
   return text.find_first_not_of(characters) == text.npos;
 }
 
 }  // namespace
+
+std::string in_double_quotes(std::string_view text) { return "\"" + printable(text) + "\""; }
 
 std::string RecordValue::text() const {
   std::string text(JsonValue::text());
@@ -32,14 +33,14 @@ std::string RecordValue::name() const {
   const std::string text = this->text();
   if (text.empty() ||
       !has_only(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-"))
-    complain(in_quotes(text) + " is not a name of letters, digits, _ and -");
+    complain(in_double_quotes(text) + " is not a name of letters, digits, _ and -");
   return text;
 }
 
 std::string RecordValue::digest() const {
   const std::string text = this->text();
   if (text.size() != 64 || !has_only(text, "0123456789abcdef"))
-    complain(in_quotes(text) + " is not a SHA-256 digest");
+    complain(in_double_quotes(text) + " is not a SHA-256 digest");
   return text;
 }
 
@@ -50,7 +51,7 @@ std::string RecordValue::utc() const {
     return place == '0' ? '0' <= c && c <= '9' : c == place;
   });
   if (!formed || text.substr(5, 2) > "12" || text.substr(8, 2) > "31" || text.substr(11, 2) > "23")
-    complain(in_quotes(text) + " is not a date and time, UTC, as 2026-11-21T17:48:47Z");
+    complain(in_double_quotes(text) + " is not a date and time, UTC, as 2026-11-21T17:48:47Z");
   return text;
 }
 
@@ -103,8 +104,9 @@ std::size_t RecordValue::one_of(std::initializer_list<std::string_view> words) c
   const auto found = std::ranges::find(words, text);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   std::string list;
-  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + in_quotes(word);
-  complain(in_quotes(text) + " is none of " + list);
+  for (const std::string_view word : words)
+    list += (list.empty() ? "" : ", ") + in_double_quotes(word);
+  complain(in_double_quotes(text) + " is none of " + list);
 }
 
 }  // namespace desmo::report

@@ -14,6 +14,9 @@
 
 namespace desmo::report {
 
+/// Returns the beginning of a text in double quotes, as messages show it: printable(text).
+std::string in_double_quotes(std::string_view text);
+
 /// Reference to a value of a document, which must outlive it. Functions that read the value throw
 /// InputError, naming file and place, when it is not of the requested kind or range.
 class RecordValue : public JsonValue {

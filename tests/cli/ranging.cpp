@@ -1,8 +1,10 @@
 // desmo range.
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/program.h"
@@ -14,8 +16,8 @@ namespace {
 TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
   write("scene.json", locks);  // in mm and degrees
   expect_printed("range scene.json", "short, from t = 0 s", "theta, from 0 deg",
-                 "  up    36.8698976458 deg: locks, known within ",
-                 "  down  -36.8698976458 deg: locks", "group   SG-II (rod, slider)", "moves   C",
+                 "  up    36.86989764584", " deg: locks, known within ", "  down  -36.86989764584",
+                 "group   SG-II (rod, slider)", "moves   C",
                  "joints  revolute/rod/slider, prismatic/ground/slider", "loop    crank, rod");
   const Json driver = json_of("range - --units si --json <scene.json")["drivers"][0];
   EXPECT_EQ(driver["name"], "theta");
@@ -33,6 +35,50 @@ TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
   for (const char* key : {"value", "beyond"})
     EXPECT_NEAR(in_degrees["ends"][1][key].get<double>(), std::asin(0.6) * 180 / std::numbers::pi,
                 1e-10);
+}
+
+/// Far from zero doubles are sparse, and the text must not be more certain than they are.
+TEST_F(Cli, RangesAreKnownAsWellAsTheTextSays) {
+  const double locks_at = std::asin(0.6) * 180 / std::numbers::pi;
+  for (const char* turns : {"0", "-360", "-360000", "-36000000", "360000000"}) {
+    write("far.json", replaced(locks, "[0, 360]", std::string("[") + turns + "]"));
+    const double start = std::stod(turns);
+    printed("range far.json");
+    int ends = 0;
+    for (const std::string& line : lines()) {
+      char direction[5];
+      double value, uncertainty;
+      if (std::sscanf(line.c_str(), " %4s %lf deg: locks, known within %lf deg", direction, &value,
+                      &uncertainty) != 3)
+        continue;
+      ++ends;
+      const bool is_up = std::string(direction) == "up";
+      const double distance = std::abs(value - start - (is_up ? locks_at : -locks_at));
+      EXPECT_LE(distance, uncertainty) << line;
+      EXPECT_LE(uncertainty, 1e-12 + 2e-15 * std::abs(value)) << line;
+    }
+    EXPECT_EQ(ends, 2) << out_;
+    const Json driver = json_of("range far.json --json")["drivers"][0];
+    EXPECT_LT(driver["ends"][0]["beyond"], driver["ends"][0]["value"]) << turns;
+    EXPECT_GT(driver["ends"][1]["beyond"], driver["ends"][1]["value"]) << turns;
+  }
+}
+
+/// In double precision the angle in the sine would be rounded to 1e-7 rad, or 6e-8 rad.
+TEST_F(Cli, RangesStartAtTheMotionToTheLastDigit) {
+  const std::pair<const char*, const char*> late[] = {
+      {R"({"frequency": 1, "amplitude": 1, "phase": 1000000000})", "0.25"},
+      {R"({"frequency": 1000, "amplitude": 1})", "100000.1234"}};
+  for (const auto& [term, time] : late) {
+    write("late.json",
+          replaced(replaced(slider_crank(150, std::string(R"(, "time": {"at": )") + time +
+                                                  R"(}, "request": [{"angles": ["theta"]}])"),
+                            R"({"angle": "deg"})", R"({"angle": "rad"})"),
+                   R"({"type": "polynomial", "coefficients": [0, 360]})",
+                   std::string(R"({"type": "harmonic", "terms": [)") + term + "]}"));
+    const double start = json_of("range late.json --json")["drivers"][0]["start"];
+    EXPECT_EQ(start, numbers(lines_of("solve late.json")[1])[1]) << term;
+  }
 }
 
 TEST_F(Cli, SaysOfEveryDriverWhereItStops) {
@@ -69,8 +115,8 @@ TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
 
 TEST_F(Cli, NamesAllLoopsThatLockAtOnce) {
   const std::string scene = DESMO_SOURCE_DIR "/tests/range/scenes/delta_platform_driven.json";
-  expect_printed("range " + scene, "  down  -0.887411967465 m: locks, known within ",
-                 "  up    -0.259807621135 m: locks, known within ");
+  expect_printed("range " + scene, "  down  -0.887411967465", " m: locks, known within ",
+                 "  up    -0.259807621135");
   EXPECT_FALSE(prints("no position was found")) << out_;
   ASSERT_EQ(desmo("range --json " + scene), 0) << err_;
   const auto joints = Json::parse(out_)["drivers"][2]["ends"][1]["joints"];

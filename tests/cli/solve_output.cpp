@@ -63,6 +63,19 @@ TEST_F(Cli, RefusesEndingsThatItDoesNotKnowBeforeItSolves) {
   EXPECT_TRUE(text_of(out("motion")).starts_with("t [s],")) << "without an ending it is csv";
 }
 
+/// The unfinished file, which has a name of its own, must fit wherever the target does.
+TEST_F(Cli, WritesToNamesAsLongAsTheFileSystemHasThem) {
+  std::string umlauts;
+  for (int i = 0; i < 124; ++i) umlauts += "\xC3\xA4";
+  for (const std::string& name : {std::string(240, 'a') + ".csv", umlauts + ".csv"}) {
+    EXPECT_EQ(desmo("solve slider_crank --quiet -o out/" + name), 0) << err_;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 1);
+    EXPECT_TRUE(std::filesystem::remove(out(name))) << name;
+  }
+  expect_said(73, "solve slider_crank --quiet -o out/" + std::string(300, 'a') + ".csv",
+              "File name too long");
+}
+
 TEST_F(Cli, DeliversOnlyWhatIsAskedFor) {
   const auto solve = [&](const std::string& request) {
     write("scene.json",

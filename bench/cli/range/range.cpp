@@ -79,8 +79,9 @@ Start start_at(const Model& m, double time, double tolerance) {
   bench::Delivery found(m.coordinates(), Level::position);
   Start start{run_checked(*formulation, {time, 1, 1}, Request{Level::position}, found), m.estimate};
   if (start.summary.outcome() != Outcome::failed) std::ranges::copy(found.q(), start.q.begin());
-  for (const Driver& driver : m.drivers)
-    start.q[m.entities[driver.coordinate].first] = sample(driver.motion, time).position;
+  const std::vector<double> drivers = exact_drivers_at(m, time);
+  for (std::size_t i = 0; i < drivers.size(); ++i)
+    start.q[m.entities[m.drivers[i].coordinate].first] = drivers[i];
   return start;
 }
 
@@ -105,7 +106,7 @@ void range(const RangeOptions& options) {
           input.source + ": " + error.what() +
               (start.summary.outcome() != Outcome::failed ? ""
                                                           : ": " + describe(start.summary, m)) +
-              start_text(m, input.units, drivers_at(m, ranges.time).position) +
+              start_text(m, input.units, exact_drivers_at(m, ranges.time)) +
               "; choose a start that can be assembled");
     }
     const DriverRange& r = named.range;

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "bench/cli/range/ranges.h"
@@ -17,11 +20,42 @@ constexpr std::array stop_names{"dead_point", "full_turn",   "zero_length", "oth
 
 static_assert(stop_names.size() == static_cast<std::size_t>(RangeStop::none) + 1);
 
+/// The value of a driver as text, and by how much it may be off.
+struct KnownValue {
+  std::string text;
+  double uncertainty;  // in the unit of the text; includes the rounding of the text
+};
+
+/// Returns the value at a dead point with the digits that are known, 17 at most.
+KnownValue dead_point_value(const RangeEnd& end, const DisplayUnit& unit) {
+  const double value = unit.from_si(end.value);
+  // Both conversions to the unit round.
+  const double known = std::abs(unit.from_si(end.beyond) - value) +
+                       std::numeric_limits<double>::epsilon() * std::abs(value);
+  const auto exponent = [](double x) { return x > 0 ? std::floor(std::log10(x)) : 0; };
+  const double digits = exponent(std::abs(value)) + 1 - exponent(known);
+  const std::string number =
+      formatted("%.*g", static_cast<int>(std::clamp(digits, 1., 17.)), value == 0 ? 0 : value);
+  const double rounding = std::abs(std::strtod(number.c_str(), nullptr) - value);
+  return {number + (unit.name == "1" ? "" : " " + unit.name), known + rounding};
+}
+
+/// Returns a text of two digits that is not below x.
+std::string rounded_up(double x, const DisplayUnit& unit) {
+  constexpr double up = 1.05;  // two digits are at most 5 % less than what they stand for
+  return formatted("%.1e", up * x) + (unit.name == "1" ? "" : " " + unit.name);
+}
+
+std::string value_text(const NamedEnd& e, const DisplayUnit& unit) {
+  return e.end.stop == RangeStop::dead_point ? dead_point_value(e.end, unit).text
+                                             : quantity(e.end.value, unit);
+}
+
 std::string sentence(const NamedEnd& e, const NamedRange& r) {
   switch (e.end.stop) {
     case RangeStop::dead_point:
       return "locks, known within " +
-             quantity(std::abs(e.end.beyond - e.end.value), r.unit, "%.1e");
+             rounded_up(dead_point_value(e.end, r.unit).uncertainty, r.unit);
     case RangeStop::full_turn:
       return e.end.turns == 1 ? "turns fully"
                               : "comes back after two turns, on another branch after one";
@@ -52,7 +86,7 @@ std::string group_and_bodies(GroupId g, const Model& m) {
 
 std::string end_text(const NamedEnd& e, const NamedRange& r, const Model& m) {
   std::string text = "  " + e.direction + std::string(6 - e.direction.size(), ' ') +
-                     quantity(e.end.value, r.unit) + ": " + sentence(e, r) + "\n";
+                     value_text(e, r.unit) + ": " + sentence(e, r) + "\n";
   if (e.end.stop != RangeStop::dead_point) return text;
   for (const GroupId g : e.end.groups) text += detail("group", group_and_bodies(g, m));
   text += detail("moves",

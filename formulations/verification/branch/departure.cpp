@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/numbers/compensated.h"
 #include "cases/numbers/interval.h"
 #include "formulations/verification/certificate/path_proof.h"
 
@@ -32,6 +33,15 @@ PerLevel<std::vector<double>> drivers_at(const Model& m, double time) {
     z.position.push_back(x.position);
     z.velocity.push_back(x.velocity);
     z.acceleration.push_back(x.acceleration);
+  }
+  return z;
+}
+
+std::vector<double> exact_drivers_at(const Model& m, double time) {
+  std::vector<double> z;
+  for (const Driver& d : m.drivers) {
+    const auto [value, correction, radius] = sample(d.motion, Compensated<double>(time)).position;
+    z.push_back(value + correction);
   }
   return z;
 }

@@ -10,6 +10,10 @@ namespace desmo {
 /// Returns the drivers' values and rates at a time [s].
 PerLevel<std::vector<double>> drivers_at(const Model& model, double time);
 
+/// Returns the drivers' values at a time [s] in compensated arithmetic, as certificates have them.
+/// Doubles, as in drivers_at(), lose digits at a late time or a large phase.
+std::vector<double> exact_drivers_at(const Model& model, double time);
+
 /// The motion of the drivers as it leaves the origin of a line. Only the line's drivers count.
 /// Distances are in the unit of the line's arc.
 class Departure {

@@ -55,7 +55,8 @@ struct DriverRange {
 /// Finds the range of a driver along the branch of a position. Follows the curve of positions by
 /// its arc. To stay on the branch, steps are shortened where the curve bends or signs of
 /// determinants change. Two solved positions of the curve bracket a dead point, between which the
-/// driver turns back: `value` and `beyond` differ by less than 1e-9 rad or characteristic lengths.
+/// driver turns back: `value` and `beyond` differ by less than 1e-9 rad or characteristic lengths,
+/// and by the spacing of doubles far from zero.
 /// Change points are found to the same accuracy: simple and double roots of a determinant. Roots of
 /// a higher order without a change of sign are not noticed. Loops that lock at once are named
 /// together. Groups with more equations than unknowns are followed by equations that are

@@ -18,13 +18,13 @@ using Point = SolutionCurve::Point;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Writes to an end the loops that lock and the constraints that hold them. Moves `beyond` by what
-/// rounding of Φ may change.
+/// rounding of Φ may change, and by the spacing of doubles there.
 void name_culprits(SolutionCurve& curve, LockedLoops locked, const Point& point, double direction,
                    RangeEnd& e) {
   e.groups = std::move(locked.groups);
   e.moving = std::move(locked.moving);
   const auto [forces, rounding] = curve.forces(point);
-  e.beyond += direction * rounding;
+  e.beyond += direction * (rounding + epsilon * std::abs(e.beyond));
   for (std::size_t c = 0; c < forces.size(); ++c)
     if (forces[c] > curve.limits().locking_arc()) e.constraints.push_back(static_cast<int>(c));
   std::ranges::stable_sort(e.constraints, std::greater{}, [&forces](int c) { return forces[c]; });

@@ -26,6 +26,18 @@ TEST(RecordReader, ReadsTwoMajorVersionsAndSaysWhatToDoWithOthers) {
   EXPECT_THROW(record_from(old), UnsupportedVersion);
 }
 
+TEST(RecordReader, QuotesTheBeginningOfALongText) {
+  const std::string big(5000, 'x'), shown = big.substr(0, 60) + "...";
+  for (const char* place : {"/schema", "/schema_version", "/paper/candidates/0/status",
+                            "/paper/candidates/0/case", "/paper/candidates/0/model"}) {
+    const std::string said = complaint(changed(complete_record(), place, big + " y"));
+    EXPECT_CONTAINS(said, "\"" + shown + "\" is n");
+    EXPECT_LT(said.size(), 500u) << place;
+  }
+  const std::string far = "9." + std::string(5000, '0') + ".0";
+  EXPECT_LT(complaint(changed(complete_record(), "/schema_version", far)).size(), 500u);
+}
+
 // What a newer minor version adds is ignored, and its numbers are the same.
 TEST(RecordReader, ReadsANewerMinorVersionWithANote) {
   Json json = complete_record();
