@@ -139,6 +139,16 @@ double rounded_up(const Derived& time) {
                              : value;
 }
 
+/// Returns whether v² ≥ a s: there is no steady phase. Where doubles nearly agree, the exact
+/// numbers decide.
+bool is_triangular(const Derived& s, const Derived& v, const Derived& a) {
+  constexpr double nearly = 0x1p-40;  // relative; v² and a s round to within 0x1p-50
+  const Derived square = v * v, product = a * s, more = product - square;
+  return std::abs(more.value) <= nearly * product.value
+             ? more.value + more.correction <= more.radius
+             : square.value >= product.value;
+}
+
 void require_finite(const Derived& coefficient) {
   if (!std::isfinite(coefficient.value))
     throw std::invalid_argument("the motion is too steep to be computed with");
@@ -172,17 +182,18 @@ void Spline::add(double knot, const Piece& piece) {
 /// The motion accelerates for the duration `up`, moves at the limit of velocity until `brakes`
 /// (trapezoid only), and decelerates for the duration `up`. Pieces are cubics of the time since
 /// their rounded knots. With their remainders the motion is continuous up to a relative error of
-/// about 2^-100. Knots are rounded up: no double lies between an exact knot and the rounded one.
+/// about 2^-100. Knots are rounded up: no double lies between an exact knot and the rounded one. A
+/// steady phase in which no double lies is left out.
 Spline make_spline(const Trapezoid& of) {
   const bool is_back = of.distance.value < 0;
   const Derived s = is_back ? -of.distance : of.distance, v = of.velocity, a = of.acceleration;
-  const bool is_triangle = (v * v).value >= (a * s).value;
+  const bool is_triangle = is_triangular(s, v, a);
   const Derived up = is_triangle ? sqrt(s / a) : v / a;
   const Derived end = Derived(of.start) + (is_triangle ? up * 2 : up + s / v);
   const double steady = rounded_up(Derived(of.start) + up),
-               brakes = is_triangle ? steady : rounded_up(end - up), rests = rounded_up(end);
-  if (!(of.start < steady && brakes < rests && std::isfinite(rests)) ||
-      (!is_triangle && !(steady < brakes)))
+               brakes = is_triangle ? steady : std::max(steady, rounded_up(end - up)),
+               rests = rounded_up(end);
+  if (!(of.start < steady && brakes < rests && std::isfinite(rests)))
     throw std::invalid_argument("the times at which it changes cannot be told apart");
 
   Spline spline;
@@ -193,7 +204,7 @@ Spline make_spline(const Trapezoid& of) {
   const Derived half = a / 2, left = (end - brakes).rounded();
   add(of.start - (rests - of.start), {});  // sample() does not read where the outer knots are
   add(of.start, {0, 0, half, 0});
-  if (!is_triangle) add(steady, {v * (Derived(steady) - of.start) - v * up / 2, v, 0, 0});
+  if (steady < brakes) add(steady, {v * (Derived(steady) - of.start) - v * up / 2, v, 0, 0});
   add(brakes, {s - half * left * left, a * left, -half, 0});
   add(rests, {s, 0, 0, 0});
   spline.knots_.push_back(rests + (rests - of.start));

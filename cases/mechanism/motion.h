@@ -90,7 +90,8 @@ struct Trapezoid {
 
 /// Makes a spline of a trapezoid, and of the standstill before and after it. Inner knots are the
 /// times at which the acceleration jumps, rounded up. The rounding changes z at no time that is a
-/// double. Throws std::invalid_argument when knots coincide or anything overflows.
+/// double. Throws std::invalid_argument when a phase of acceleration has no duration in doubles, or
+/// anything overflows.
 Spline make_spline(const Trapezoid& trapezoid);
 
 /// Prescribed motion of one independent coordinate.

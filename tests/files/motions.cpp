@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/mechanism/drawing.h"
+#include "cases/mechanism/formatted.h"
 #include "tests/files/common.h"
 
 namespace desmo::motions_test {
@@ -167,6 +168,22 @@ MotionSample<Wide> trapezoid(const Wide& s, const Wide& v, const Wide& a, const 
   if (left > up) return {v * (time - up / 2), v, 0};
   if (left > 0) return {s - a * left * left / 2, a * left, -a};
   return {s, 0, 0};
+}
+
+/// With v² = a s, exactly (in degrees) or but for rounding, no double lies in a steady phase.
+TEST(Trapezoid, MayReachItsVelocityForAnInstant) {
+  const Wide degree = pi / 180;
+  for (const auto& [s, v, a] : {std::tuple(360., 120., 40.), {90., 30., 10.}, {0.9, 0.3, 0.1}}) {
+    const Motion m = motion_of(drawn("angle"), "angle",
+                               formatted(R"({"type": "trapezoid", "from": 0, "start": 5.3,
+        "by": %.17g, "velocity": %.17g, "acceleration": %.17g})",
+                                         s, v, a));
+    EXPECT_EQ(std::get<Spline>(m).pieces().size(), 4u) << v;
+    for (const double t : {5., 6.4, 8.2, 8.4, 11.2, 11.4}) {
+      const auto z = trapezoid(s * degree, v * degree, a * degree, Wide(t) - 5.3);
+      expect_motion(m, t, z.position, z.velocity, z.acceleration);
+    }
+  }
 }
 
 /// 10⁹ s after the origin doubles are 10⁻⁷ s apart, in which the velocity changes by 0.1.

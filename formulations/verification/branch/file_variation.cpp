@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
@@ -22,6 +23,12 @@ template <class Kind>
 constexpr bool is_measured = requires(const Derived* const* x, Derived* c) {
   Kind::measure(x, c);
 };
+
+/// True for sums of coordinates, whose factors stand in the file.
+template <class Kind>
+constexpr bool is_coupling = false;
+template <int terms>
+constexpr bool is_coupling<Coupling<terms>> = true;
 
 /// The drawing of a model, whose numbers vary.
 class VariedDrawing {
@@ -47,6 +54,7 @@ class VariedDrawing {
       if constexpr (has_table<Kind>) {
         vary_table<Kind>(c);
       } else if constexpr (Kind::constants > 0) {
+        if constexpr (is_coupling<Kind>) vary_factors<Kind>(c);
         if constexpr (Kind::linear)
           vary_rows<Kind>(c);
         else
@@ -89,10 +97,19 @@ class VariedDrawing {
     }
   }
 
+  /// Widens the factors of a coupling. What they leave of it grows with the turns of its angles, so
+  /// slack would not do.
+  template <class Kind>
+  void vary_factors(Constraint& c) const {
+    for (Derived& factor : std::span(c.constants).first(Kind::operand_sizes.size()))
+      factor.radius += last_digit * std::abs(factor.value) * second_order;
+  }
+
   /// Sets the slack of a linear kind, whose factors vary with its operands. The variation changes Φ
   /// by a vector that turns with the body, so each row may be off by the length of that vector.
   /// (Radii of the factors themselves would be multiplied by the distance of points from the
-  /// origin.)
+  /// origin.) That of a coupling is what its terms vary by at the drawing, from which its constant
+  /// is measured.
   template <class Kind>
   void vary_rows(Constraint& c) const {
     const auto x = operands_of<Kind>(m_, c, state_.data());
@@ -112,10 +129,11 @@ class VariedDrawing {
   }
 
   /// Sets the slack of a table's equation: the error that the last digits of its arguments and
-  /// values may cause.
+  /// values may cause. Widens what counts again with each turn of a table that repeats: its length,
+  /// by its first and last knot, and its advance.
   template <class Kind>
   void vary_table(Constraint& c) const {
-    const std::vector<Derived>& numbers = c.constants;
+    std::vector<Derived>& numbers = c.constants;
     const auto size = [&](std::size_t k) { return std::abs(numbers[Kind::table + k].value); };
     const auto pieces = static_cast<std::size_t>(numbers[Kind::table].value);
     double largest = 0;  // |value of the table| + |slope × argument|, at knots
@@ -126,6 +144,12 @@ class VariedDrawing {
     }
     const double value = std::abs(numbers[0].value) * largest + std::abs(numbers[2].value);
     c.slack.assign(Kind::rows, stated_digits * value * second_order);
+    if (numbers[Kind::table + 1].value == 0) return;  // it does not repeat
+    const auto widen = [&](std::size_t k, double by) {
+      numbers[Kind::table + k].radius += last_digit * by * second_order;
+    };
+    widen(2, 2 * size(4 + pieces) + size(2));  // last value − first one
+    for (const std::size_t knot : {std::size_t{3}, 3 + pieces}) widen(knot, size(knot));
   }
 
   /// Returns the largest length of a vector, or distance of two points, among a constraint's
