@@ -99,7 +99,9 @@ TEST(Placement, AGuideReadsAPointThatLaterBodiesShare) {
         expect_near(s.position(k, "C"), {abscissa, 0, 0}, 1e-12, "C");
         expect_near(s.position(k, "E"),
                     end_of_rods({abscissa, 0, 0}, 1, {3, -0.4, 0}, std::hypot(0.2, 1)), 1e-11, "E");
-        if (declared) EXPECT_NEAR(s.scalar(k, "s"), abscissa, 1e-12);
+        if (declared) {
+          EXPECT_NEAR(s.scalar(k, "s"), abscissa, 1e-12);
+        }
       }
     }
 }
