@@ -18,8 +18,9 @@ struct Placement {
 
 /// Assigns each point and vector to the first group with a body that carries it. There is one
 /// exception: an entity waits for a later group where no other group has it in the basis of a body.
-/// No driver and no coupling may need the entity, and up to that group only one body may follow
-/// from it. may_wait: false to make no exception.
+/// No equation of an earlier group may need the entity: no driver, no coupling, no joint and no
+/// vector along points. Up to that group only one body may follow from it. may_wait: false to make
+/// no exception.
 Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
                          const Structure& structure, bool may_wait);
 
