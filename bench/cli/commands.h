@@ -52,9 +52,9 @@ inline std::string refuse_nan(const std::string& text) {
 /// it. CLI::PositiveNumber would print the largest double with all its digits. For
 /// CLI::Option::check.
 inline std::string require_positive(const std::string& text) {
-  const std::string not_a_number = refuse_nan(text);
-  if (!not_a_number.empty()) return not_a_number;
-  const double value = std::strtod(text.c_str(), nullptr);
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || std::isnan(value)) return "is not a number";
   return value > 0 && std::isfinite(value) ? "" : "must be positive and finite";
 }
 

@@ -93,7 +93,7 @@ void check_schema(const RecordValue& root, const std::string& name) {
 
 std::string note_on_version(const std::string& version) {
   if (parse_version(version) <= known_version) return {};
-  return sentence("version.newer", {{"version", version}, {"known", schema_version}});
+  return sentence("version.newer", {{"version", printable(version)}, {"known", schema_version}});
 }
 
 }  // namespace desmo::report

@@ -72,7 +72,7 @@ TEST_F(Cli, WritesToNamesAsLongAsTheFileSystemHasThem) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 1);
     EXPECT_TRUE(std::filesystem::remove(out(name))) << name;
   }
-  expect_said(73, "solve slider_crank --quiet -o out/" + std::string(300, 'a') + ".csv",
+  expect_said(74, "solve slider_crank --quiet -o out/" + std::string(300, 'a') + ".csv",
               "File name too long");
 }
 

@@ -45,6 +45,7 @@ TEST_F(Cli, TuneIsToldWhatToDo) {
       {"tune slider_crank --max-error 0", "--max-error: must be positive and finite; "},
       {"tune slider_crank --max-error inf", "--max-error: must be positive and finite; "},
       {"tune slider_crank --max-error nan", "--max-error: is not a number; "},
+      {"tune slider_crank --max-error small", "--max-error: is not a number; "},
       {"tune slider_crank --budget -1us", "--budget: must be positive and finite; "},
       {"tune slider_crank --budget 50", "--budget"},
       {"tune slider_crank --max-error 1e-6 --write", "is not a scene file"},
