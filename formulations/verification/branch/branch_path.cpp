@@ -117,13 +117,19 @@ bool BranchPath::contains(double time, std::span<const double> q,
   return true;
 }
 
-FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time, &to); }
+FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time, &to, budget_); }
 
-FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
+FollowedStep BranchPath::go_to(double time) { return go(time, nullptr, budget_); }
+
+FollowedStep BranchPath::go_to(double time, TestBudget& budget, int share) {
+  const FollowedStep step = go(time, nullptr, std::min(budget_, budget.left() / share));
+  budget.take(std::max(1, step.tests));
+  return step;
+}
 
 /// Goes to a time. to: the instant there; null: none. Each turn of the loop costs a test of the
 /// budget or halves the step, so it ends.
-FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
+FollowedStep BranchPath::go(double time, const CertifiedInstant* to, int budget) {
   FollowedStep result;
   const auto ended = [&](PathEnd end) {
     result.end = end;
@@ -136,7 +142,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   const double shortest = std::abs(step) * Interval::unit;
   StepGrowth growth;
   bool tries_whole = to != nullptr;  // the step straight to the instant is not tested yet
-  while (result.tests < budget_ && std::abs(step) > shortest &&
+  while (result.tests < budget && std::abs(step) > shortest &&
          present_.time + step != present_.time) {
     const double left = time - present_.time;
     const double next = up_to_knot(std::abs(step) < std::abs(left) ? present_.time + step : time);
@@ -169,7 +175,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     if (next == time) return ended(to ? PathEnd::other : PathEnd::same);
     if (growth.succeeded()) step *= 2;
   }
-  result.out_of_tests = result.tests >= budget_;
+  result.out_of_tests = result.tests >= budget;
   // The worst-conditioned group may spoil proofs of later ones, and is then named.
   if (worst_conditioned_ != no_position) result.group = std::min(result.group, worst_conditioned_);
   return ended(PathEnd::stuck);

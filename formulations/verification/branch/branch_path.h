@@ -6,6 +6,7 @@
 
 #include "formulations/model/model.h"
 #include "formulations/verification/branch/followed_step.h"
+#include "formulations/verification/branch/test_budget.h"
 #include "formulations/verification/certificate/path_proof.h"
 #include "formulations/verification/certificate/refinement.h"
 
@@ -50,6 +51,9 @@ class BranchPath {
   FollowedStep follow(const CertifiedInstant& to);
   /// Goes to another time (`same`), or as far as the motion leads (`stuck`).
   FollowedStep go_to(double time);
+  /// Like go_to(time), but with a budget that other paths share. Takes at least one test from it,
+  /// and at most 1/share of what is left, so that one path alone does not use it up.
+  FollowedStep go_to(double time, TestBudget& budget, int share);
 
   /// Returns whether positions q at a time [s] of the last step lie in its tube, up to rounding.
   /// The tube is widened by count × tolerance of each coordinate. The step must have been proven at
@@ -63,7 +67,7 @@ class BranchPath {
   const CertifiedInstant& present() const { return present_; }
 
  private:
-  FollowedStep go(double time, const CertifiedInstant* to);
+  FollowedStep go(double time, const CertifiedInstant* to, int budget);
   bool proves(const CertifiedInstant& to, FollowedStep& report);
   double up_to_knot(double time) const;
   void keep(const RefinedInstant& refined);

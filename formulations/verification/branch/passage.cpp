@@ -32,14 +32,16 @@ bool prove_beyond(const Model& m, SingularityCrossing& crossing, GroupId group, 
     qdd[i] = qdd[i] * rate * rate + qd[i] * change;
     qd[i] *= rate;
   }
-  if (m.drivers.size() > 1 && !StraightPath(m).lead(crossing.line().at(s), z.position, q))
+  if (m.drivers.size() > 1 &&
+      !StraightPath(m).lead(crossing.line().at(s), z.position, q, crossing.budget()))
     return false;
+  crossing.budget().take();
   Refinement refinement(m);
   const RefinedInstant& r = refinement.refine(instant_of(time, x.view().values));
   if (!r.proven) return false;
   BranchPath path(m);
   if (!path.start_at(certified(r))) return false;
-  const FollowedStep step = path.go_to(later);
+  const FollowedStep step = path.go_to(later, crossing.budget(), 2);
   // The point at which another group is stuck must be as far from here as point.after is.
   const bool leads_away =
       step.group != group && path.present().time - point.after >= 2 * (time - point.after);
@@ -79,9 +81,16 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
 /// Passes a change point of model m. The crossing is found in `smooth`: it has the equations that m
 /// has just before the point, and no knot on it.
 std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const CertifiedInstant& last,
-                                std::span<const double> direction, double start, GroupId group) {
-  SingularityCrossing crossing(smooth, last, direction, group);
-  if (!crossing.find()) return {};
+                                std::span<const double> direction, double start, GroupId group,
+                                TestBudget& budget) {
+  // Half of the tests are left to the next try.
+  const int max_tests = (budget.left() + 1) / 2;
+  SingularityCrossing crossing(smooth, last, direction, group, max_tests);
+  const auto ended = [&](std::optional<PassedPoint> point) {
+    budget.take(max_tests - crossing.budget().left());
+    return point;
+  };
+  if (!crossing.find()) return ended({});
   PassedPoint point{.time = start,
                     .after = start,
                     .before = INFINITY,
@@ -93,16 +102,36 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
   // until they are.
   for (double d = std::max(4 * crossing.nearest(), Interval::unit); d < crossing.reach(); d *= 2) {
     const double time = departure.time_at(d);
-    if (time == INFINITY) return point;
-    if (departure.has_corner(d, crossing.reach())) return {};
+    if (time == INFINITY) return ended(point);
+    if (departure.has_corner(d, crossing.reach()) || crossing.budget().left() == 0) break;
     // Drivers that turn back may come to the point again: proofs end before they do.
     const double far = departure.time_at(crossing.reach());
     const double later = departure.turn_after(time, far < INFINITY ? far : time + (time - start));
     if (!prove_beyond(m, crossing, group, time, later, point)) continue;
     point.time = start + (time - start) / 2;
-    return point;
+    return ended(point);
   }
-  return {};
+  return ended({});
+}
+
+/// Passes a change point with the drivers that `group` depends on. If they lead to no instant
+/// beyond, another group may be singular there, too: then tries with all drivers.
+std::optional<PassedPoint> pass(const Model& m, const CertifiedInstant& last,
+                                std::span<const double> direction, double start, GroupId group,
+                                TestBudget& budget) {
+  const auto by = [&](const Model& smooth, GroupId singular) {
+    return pass(m, smooth, last, direction, start, singular, budget);
+  };
+  std::optional<PassedPoint> point = by(m, group);
+  if (point) return point;
+  const std::optional<Model> smooth = with_tables_continued(m, last.values.position);
+  if (smooth) point = by(*smooth, group);
+  const auto is_of_all = [&] {
+    return DriverLine(m, last.values.position, direction, group).count() == std::ssize(m.drivers);
+  };
+  if (point || group == no_position || is_of_all()) return point;
+  point = by(m, no_position);
+  return point || !smooth ? point : by(*smooth, no_position);
 }
 
 }  // namespace
@@ -149,23 +178,20 @@ std::vector<double> PassedPoint::find_positions(StraightPath& path, double at) {
 
 std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
                                              GroupId group) {
-  return pass_change_point(m, last, drivers_at(m, last.time).velocity, last.time, group);
+  TestBudget budget(BranchPath::max_tests);
+  return pass_change_point(m, last, group, budget);
 }
 
-/// Passes a change point with the drivers that `group` depends on. If they lead to no instant
-/// beyond, another group may be singular there, too: then tries with all drivers.
+std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
+                                             GroupId group, TestBudget& budget) {
+  return pass(m, last, drivers_at(m, last.time).velocity, last.time, group, budget);
+}
+
 std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
                                              std::span<const double> direction, double start,
                                              GroupId group) {
-  std::optional<PassedPoint> point = pass(m, m, last, direction, start, group);
-  if (point) return point;
-  const std::optional<Model> smooth = with_tables_continued(m, last.values.position);
-  if (smooth) point = pass(m, *smooth, last, direction, start, group);
-  const auto is_of_all = [&] {
-    return DriverLine(m, last.values.position, direction, group).count() == std::ssize(m.drivers);
-  };
-  if (point || group == no_position || is_of_all()) return point;
-  return pass_change_point(m, last, direction, start);
+  TestBudget budget(BranchPath::max_tests);
+  return pass(m, last, direction, start, group, budget);
 }
 
 }  // namespace desmo

@@ -37,7 +37,8 @@ struct PassedPoint {
 /// Passes the change point on which a motion is stuck (PathEnd::stuck), if there is a smooth
 /// continuation (SingularityCrossing). Then the motion goes on beyond the point or, where its
 /// drivers turn back, on the branch that it came from. Returns nothing at a fold, where branches
-/// are too alike to be told apart, and where the path of the drivers has a corner.
+/// are too alike to be told apart, where the path of the drivers has a corner, and where the budget
+/// (BranchPath::max_tests) ends.
 /// - last: the last proven instant, where BranchPath::present() is
 /// - group: the singular group (FollowedStep::group); no_position: it is not known
 ///
@@ -50,6 +51,10 @@ struct PassedPoint {
 ///       path.start_at(point->beyond());   // find_positions() between `after` and `before`
 std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last,
                                              GroupId group = no_position);
+/// Like the above, with a budget that several passages share. At most half of it goes into each
+/// way in which a passage is tried.
+std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last,
+                                             GroupId group, TestBudget& budget);
 
 /// Passes the change point on which a motion begins. The path that led there is another one: that
 /// from the drawing.

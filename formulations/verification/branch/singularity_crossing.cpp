@@ -12,6 +12,10 @@ namespace {
 /// Argument of a polynomial at s = h, where its arguments −1 and 1 are at s = −2h and −h.
 constexpr double extension = 5;
 
+/// Shares of the tests left that a path may take. The path to the farthest node may run on to
+/// infinity, and there are up to 26 of these. Less far is good enough.
+constexpr int half = 2, way_to_farthest = 8;
+
 bool may_be_same(const Interval& a, const Interval& b) {
   return std::abs(a.mid - b.mid) <= a.radius + b.radius;
 }
@@ -24,8 +28,10 @@ Interval SingularityCrossing::number(const Node& node, Level level, int coordina
 }
 
 SingularityCrossing::SingularityCrossing(const Model& m, const CertifiedInstant& last,
-                                         std::span<const double> direction, GroupId group)
-    : magnitudes_(nominal_magnitudes(m)),
+                                         std::span<const double> direction, GroupId group,
+                                         int max_tests)
+    : budget_(max_tests),
+      magnitudes_(nominal_magnitudes(m)),
       line_(m, last.values.position, direction, group),
       model_(m),
       before_(model_),
@@ -47,12 +53,13 @@ void SingularityCrossing::find_nodes(const CertifiedInstant& last) {
   // So near to the point rounding may leave not even a sign of second derivatives.
   for (std::size_t i = 0; i < acceleration.size(); ++i)
     if (!(std::abs(acceleration[i]) > here->radius.acceleration[i])) acceleration[i] = 0;
-  for (double s = std::sqrt(Interval::unit); s < 1; s *= 2) {
+  for (double s = std::sqrt(Interval::unit); s < 1 && budget_.left() > 0; s *= 2) {
     for (std::size_t i = 0; i < q.size(); ++i)
       q[i] = here->values.position[i] - s * (here->values.velocity[i] - s / 2 * acceleration[i]);
+    budget_.take();
     if (!before_.start_at({-s, {q, {}, {}}, {}})) continue;
     // The value 2 does not matter: where it is too far, h is halved.
-    before_.go_to(-2);
+    before_.go_to(-2, budget_, way_to_farthest);
     if (before_.present().time > -8 * s) continue;  // has fewer than three halvings
     nodes_.clear();
     if (std::optional<Node> farthest = node(before_.present()))
@@ -91,6 +98,7 @@ double SingularityCrossing::distance(int level) const {
 /// Returns a copy of an instant with the radii of its rates; nothing where they are not proven.
 std::optional<SingularityCrossing::Node> SingularityCrossing::node(
     const CertifiedInstant& instant) {
+  budget_.take();
   const RefinedInstant& r = refinement_.refine(instant_of(instant.time, instant.values));
   if (!r.proven) return {};
   Node copy{instant.time, {}, {}};
@@ -105,7 +113,7 @@ std::optional<SingularityCrossing::Node> SingularityCrossing::node(
 /// Adds nodes before the point until there are `count`. Returns whether all are proven.
 bool SingularityCrossing::reach_nodes(int count) {
   while (static_cast<int>(nodes_.size()) < count) {
-    if (before_.go_to(nodes_.back().s / 2).end != PathEnd::same) return false;
+    if (before_.go_to(nodes_.back().s / 2, budget_, half).end != PathEnd::same) return false;
     std::optional<Node> next = node(before_.present());
     if (!next) return false;
     nodes_.push_back(std::move(*next));
@@ -148,6 +156,7 @@ double SingularityCrossing::Miss::over(const std::vector<double>& unit) const {
 
 /// Ends at the latest where the distance, halved each time, falls to the roundoff u.
 double SingularityCrossing::measure_fall(int level, std::span<const double> positions) {
+  budget_.take();
   if (!beyond_.start_at({distance(level), {positions, {}, {}}, {}})) return 0;
   Miss last;
   double least = INFINITY, bottom = 0, deepest = 0;
@@ -156,7 +165,7 @@ double SingularityCrossing::measure_fall(int level, std::span<const double> posi
     // At distances of the roundoff u, drivers are rounded to other points of the line: a path might
     // pass the change point unnoticed.
     const bool is_led = distance(k) > Interval::unit && reach_nodes(k + 2) &&
-                        beyond_.go_to(distance(k)).end == PathEnd::same;
+                        beyond_.go_to(distance(k), budget_, half).end == PathEnd::same;
     const std::optional<Node> end = is_led ? node(beyond_.present()) : std::nullopt;
     // Branches that would meet with exact lengths may pass each other closely: their miss grows
     // again towards the point. The miss of another branch that does meet falls all the way.
@@ -203,13 +212,14 @@ bool SingularityCrossing::find() {
   if (nodes_.empty()) return false;
   // At smaller h, rounding hides even jumps of the first derivative.
   for (int level = 0; distance(level) > std::sqrt(Interval::unit); ++level) {
+    if (budget_.left() == 0) return false;
     if (!reach_nodes(level + 2)) return false;
     const Node &far = nodes_[level], &near = nodes_[level + 1];
     std::vector<double> beyond;
     for (int i = 0; i < model_.coordinates(); ++i)
       beyond.push_back(value_at(polynomial(far, near, i), Interval(extension)).mid);
     if (measure_fall(level, beyond) < min_fall) continue;
-    beyond_.go_to(0);
+    beyond_.go_to(0, budget_, half);
     nearest_ = beyond_.present().time;
     return true;
   }
@@ -219,8 +229,9 @@ bool SingularityCrossing::find() {
 const CertifiedInstant* SingularityCrossing::go_to(double s) {
   BranchPath& path = s > 0 ? beyond_ : before_;
   // Starts at a distance and goes towards the point: right next to it no path leads away.
+  budget_.take();
   if (!path.start_at({std::copysign(reach_, s), {about_[s > 0], {}, {}}, {}})) return nullptr;
-  return path.go_to(s).end == PathEnd::same ? &path.present() : nullptr;
+  return path.go_to(s, budget_, half).end == PathEnd::same ? &path.present() : nullptr;
 }
 
 }  // namespace desmo

@@ -23,7 +23,8 @@ namespace desmo {
 ///
 /// The line needs no instants of the motion, which may start, end, rest or turn back on the point.
 /// It leads as far before and beyond as the mechanism moves. Both sides of it are proven paths
-/// (BranchPath).
+/// (BranchPath). All paths share one budget of tests. Where the line leads to infinity, or past
+/// many places that are hard to prove, the search thus ends without a continuation.
 class SingularityCrossing {
  public:
   /// A continuation counts as smooth if the miss falls at least by this factor where h is halved:
@@ -34,8 +35,10 @@ class SingularityCrossing {
   /// - last: a proven instant just before the point; s is 0 there
   /// - direction: rates of the drivers, of any length
   /// - group: the group that is singular on the point (see DriverLine)
+  /// - max_tests: maximum number of tests of all calls
   SingularityCrossing(const Model& model, const CertifiedInstant& last,
-                      std::span<const double> direction, GroupId group = no_position);
+                      std::span<const double> direction, GroupId group = no_position,
+                      int max_tests = BranchPath::max_tests);
   SingularityCrossing(const SingularityCrossing&) = delete;
   SingularityCrossing& operator=(const SingularityCrossing&) = delete;
 
@@ -55,6 +58,8 @@ class SingularityCrossing {
   double distance(int level) const;
 
   const DriverLine& line() const { return line_; }
+  /// Returns the tests that are left. Paths of the caller may share them.
+  TestBudget& budget() { return budget_; }
   /// Returns the smallest s > 0 at which the continuation beyond the point is proven.
   double nearest() const { return nearest_; }
   /// Returns the distance from s = 0 up to which both sides are proven.
@@ -96,6 +101,7 @@ class SingularityCrossing {
   bool reach_nodes(int count);
   Quintic<Interval> polynomial(const Node& a, const Node& b, int coordinate) const;
 
+  TestBudget budget_;
   std::vector<double> magnitudes_;  // of coordinates
   DriverLine line_;
   Model model_;  // with drivers that go along the line

@@ -23,6 +23,9 @@ class StraightPath {
   /// Leads positions q (coordinates) from driver values `from` to `to` (drivers). Returns whether
   /// all the way is proven; if not, q does not change.
   bool lead(std::span<const double> from, std::span<const double> to, std::vector<double>& q);
+  /// Like the above, with at most half of a budget that other paths share.
+  bool lead(std::span<const double> from, std::span<const double> to, std::vector<double>& q,
+            TestBudget& budget);
 
   /// Finds the instant at arc s of a line, near positions q, with rates with respect to s. Returns
   /// null if it is not proven. Valid until the next call.

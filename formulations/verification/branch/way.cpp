@@ -14,6 +14,7 @@ namespace desmo {
 
 /// The loop ends: each round but the last chooses other equations at a new place, or passes a
 /// change point. Each round in which a path has begun counts as at least one test of the budget.
+/// All passages share another budget.
 bool follow_way(const Model& m, bool may_pass, FoundStart& found) {
   std::unique_ptr<const Model> chosen;  // the model with other equations; null: m itself
   auto path = std::make_unique<BranchPath>(m);
@@ -34,6 +35,7 @@ bool follow_way(const Model& m, bool may_pass, FoundStart& found) {
   FollowedStep step;
   int tests = 0;
   double chosen_at = -1;  // share at which other equations were asked for last
+  TestBudget passages(BranchPath::max_tests);
   found.share = 0;
   bool begun = path->start_at({0, {found.q, {}, {}}});
   while (true) {
@@ -52,7 +54,7 @@ bool follow_way(const Model& m, bool may_pass, FoundStart& found) {
     }
     if (!begun || !may_pass) break;
     const std::optional<PassedPoint> point =
-        pass_change_point(model(), path->present(), step.group);
+        pass_change_point(model(), path->present(), step.group, passages);
     if (!point || !(point->before < 1)) break;
     begun = path->start_at(point->beyond());
     if (!begun) break;

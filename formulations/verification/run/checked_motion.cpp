@@ -107,7 +107,9 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
   if (!state_.on_path) return false;
   std::optional<PassedPoint>& point = state_.point;
   BranchPath& path = follower_->path;
-  // All passages share the budget of one step. Each counts as at least one test, so the loop ends.
+  // All parts of the step share one budget, and so do all passages. Each part counts as at least
+  // one test, so the loop ends.
+  TestBudget passages(BranchPath::max_tests);
   for (int tests = 0; tests < BranchPath::max_tests; tests += std::max(1, step_.tests)) {
     if (point) {
       if (at.time < point->before) return deliver_point(at);
@@ -123,7 +125,7 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
       return true;
     }
     if (may_pass && !step_.out_of_tests)
-      point = pass_change_point(follower_->model, path.present(), step_.group);
+      point = pass_change_point(follower_->model, path.present(), step_.group, passages);
     if (!point) return false;
     result_.flag = {.kind = RowFlag::Kind::crossing,
                     .after = point->after,
