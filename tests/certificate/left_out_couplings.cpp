@@ -77,8 +77,8 @@ TEST(LeftOutCouplings, HoldWhereDecimalFactorsDo) {
           << p << ' ' << q << ' ' << speed;
 }
 
-/// Six factors, each varied by 2 u times itself, explain 12 u times the way, u = 2⁻⁵³. Here the last
-/// factor alone is off: three units of its last digit are 5 u, fourteen are 25 u.
+/// Six factors, each varied by 2 u times itself, explain 12 u times the way, u = 2⁻⁵³. Here the
+/// last factor alone is off: three units of its last digit are 5 u, fourteen are 25 u.
 TEST(LeftOutCouplings, HoldForTheLastDigitsOfTheirFactorsAlone) {
   constexpr double last_digit = 0x1p-49;  // of 9
   for (const double speed : {1e3, 1e6})
