@@ -8,6 +8,7 @@
 #include <set>
 
 #include "formulations/modelling/measures/measures.h"
+#include "tests/modelling/common.h"
 #include "tests/modelling/plan.h"
 #include "tests/overconstrained.h"
 
