@@ -37,6 +37,7 @@ TEST(OperationsAsWritten, AreNotFusedWhereNobodyWroteIt) {
                                       "certificate",
                                       "chosen_equations",
                                       "coordinate_paths",
+                                      "departure",
                                       "left_out_equations",
                                       "linear_equations",
                                       "path_equations",
