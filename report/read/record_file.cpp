@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "cases/io/text_file.h"
-#include "cases/mechanism/names.h"
 #include "report/text/texts.h"
 
 namespace desmo::report {
@@ -81,7 +80,7 @@ void check_schema(const RecordValue& root, const std::string& name) {
   const int major = version->front(), known = known_version.front();
   if (major == known || major == known - 1) return;
   try {
-    node.complain("schema version " + printable(text) + ", and this program reads " +
+    node.complain("schema version " + beginning_of(text) + ", and this program reads " +
                   std::to_string(known - 1) + ".x and " + std::to_string(known) + ".x; " +
                   (major > known ? "update desmo and build it again"
                                  : "measure it anew (bench/run, bench/check --renew-baseline), or "
@@ -93,7 +92,7 @@ void check_schema(const RecordValue& root, const std::string& name) {
 
 std::string note_on_version(const std::string& version) {
   if (parse_version(version) <= known_version) return {};
-  return sentence("version.newer", {{"version", printable(version)}, {"known", schema_version}});
+  return sentence("version.newer", {{"version", beginning_of(version)}, {"known", schema_version}});
 }
 
 }  // namespace desmo::report

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/mechanism/names.h"
 #include "report/text/digits.h"
 
 namespace desmo::report {
@@ -20,7 +19,17 @@ bool has_only(std::string_view text, std::string_view characters) {
 
 }  // namespace
 
-std::string in_double_quotes(std::string_view text) { return "\"" + printable(text) + "\""; }
+std::string beginning_of(std::string_view text) {
+  constexpr int max_characters = 60;
+  int characters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = (static_cast<unsigned char>(text[i]) & 0xc0) != 0x80;
+    if (begins && characters++ == max_characters) return std::string(text.substr(0, i)) + "...";
+  }
+  return std::string(text);
+}
+
+std::string in_double_quotes(std::string_view text) { return "\"" + beginning_of(text) + "\""; }
 
 std::string RecordValue::text() const {
   std::string text(JsonValue::text());

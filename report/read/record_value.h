@@ -14,7 +14,9 @@
 
 namespace desmo::report {
 
-/// Returns the beginning of a text in double quotes, as messages show it: printable(text).
+/// Returns the first 60 characters of a text in UTF-8, as messages show it; "..." for the rest.
+std::string beginning_of(std::string_view text);
+/// Returns beginning_of() the text in double quotes.
 std::string in_double_quotes(std::string_view text);
 
 /// Reference to a value of a document, which must outlive it. Functions that read the value throw
