@@ -42,7 +42,9 @@ std::optional<Vec> direction(const Vec& p, const Vec& q) {
 }
 
 Mechanism::ExactVec near_unit(const Mechanism::ExactVec& x) {
-  const int exponent = std::ilogb(largest(Mechanism::rounded(x)));
+  const double size = largest(Mechanism::rounded(x));
+  if (!(size > 0)) return x;
+  const int exponent = std::ilogb(size);
   return {x[0].scaled(-exponent), x[1].scaled(-exponent), x[2].scaled(-exponent)};
 }
 

@@ -20,7 +20,7 @@ std::optional<Mechanism::Vec> unit_vector(const Mechanism::Vec& x);
 std::optional<Mechanism::Vec> direction(const Mechanism::Vec& p, const Mechanism::Vec& q);
 
 /// Returns a vector times a power of two. Its largest component then has a magnitude from 1 up to
-/// 2, so that products of such vectors neither overflow nor vanish. x: any vector but 0.
+/// 2, so that products of such vectors neither overflow nor vanish. The vector 0 stays as it is.
 Mechanism::ExactVec near_unit(const Mechanism::ExactVec& x);
 
 /// Returns the remainders of a unit vector: what each of its rounded components lacks.
