@@ -14,8 +14,8 @@ namespace desmo::bench {
 void run_on_fresh_heap(const std::function<void()>& work);
 
 /// Keeps freed memory in the process. Otherwise large blocks that UMFPACK frees after each
-/// factorisation go back to the system, and page faults are timed when they are needed again.
-/// Whether that happens depends on what ran before.
+/// factorisation may go back to the system, depending on what ran before. Page faults are then
+/// timed when they are needed again.
 void keep_freed_memory();
 
 /// Returns the bytes that are allocated on the heap at this moment. Unlike the size of the process

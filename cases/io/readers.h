@@ -29,7 +29,7 @@ std::string checked_name(const JsonValue& place, std::string_view name);
 
 /// Units of a file.
 struct FileUnits : DisplayUnits {
-  /// Whether the file leaves the unit open. A number that needs it is then refused. In a scene of
+  /// True: the file leaves the unit open, and a number that needs it is refused. In a scene of
   /// version 1 it is open where the scene names no unit, and the mechanism has another than m or
   /// rad.
   bool length_is_open = false, angle_is_open = false;

@@ -9,8 +9,8 @@ struct ReferenceInstant {
   double time;                     ///< [s]
   std::vector<double> q, qd, qdd;  ///< rounded to double; units as in Instant
 
-  /// What rounding to double took off, itself rounded: exact value = q + remainder.q, to a relative
-  /// error of about 1e-32. Empty: unknown.
+  /// Remainders that rounding to double took off, themselves rounded: exact value = q +
+  /// remainder.q, to a relative error of about 1e-32. Empty: unknown.
   struct Remainders {
     std::vector<double> q, qd, qdd;
   };

@@ -15,7 +15,7 @@ struct StepHistory;  // defined in motion/prediction/guess.h
 /// The places where a part puts its results in a run. `observed` and `places` have an entry for
 /// each number of the state.
 struct PartOutputs {
-  /// Whether other parts, the prediction or an observer that lends no memory read the number in the
+  /// True: other parts, the prediction or an observer that lends no memory read the number in the
   /// state.
   const std::vector<bool>& observed;
   /// Index of the number in an output that an observer lends, or −1. A part sets to −1 the numbers

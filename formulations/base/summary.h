@@ -10,7 +10,7 @@ enum class Status {
   not_finite,     ///< ‖Φ‖₂ is not a finite number
 };
 
-/// What all kinds of summaries have in common. Each kind has its own verdict, such as
+/// Members that all kinds of summaries have in common. Each kind has its own verdict, such as
 /// Summary::ok().
 struct BasicSummary {
   Status status = Status::solved;

@@ -49,7 +49,7 @@ namespace scalars {
 
 using std::cos, std::sin, std::sqrt;
 
-/// What every scalar can do.
+/// Operations of every scalar.
 template <class S>
 concept Scalar = std::default_initializable<S> && std::constructible_from<S, double> &&
     requires(S to, const S a) {

@@ -34,9 +34,9 @@ std::vector<double> nominal_magnitudes(const Model& model);
 ///   velocity       largest speed                    largest rate
 ///   acceleration   largest acceleration             largest second derivative
 ///
-/// Where nothing of a column moves, its velocity scale is that of the other column, multiplied or
-/// divided by the size. Where nothing of it accelerates, its acceleration scale is its velocity
-/// scale squared, divided by its position scale. The scales of rates are 0 when nothing moves.
+/// A column without motion has the velocity scale of the other column, multiplied or divided by the
+/// size. A column without acceleration has its velocity scale squared, divided by its position
+/// scale. The scales of rates are 0 when nothing moves.
 struct Scales {
   PerLevel<double> length{1, 0, 0};    ///< [unit of length], per s, per s²
   PerLevel<double> rotation{1, 0, 0};  ///< [1] or [rad], per s, per s²

@@ -15,7 +15,7 @@
 
 namespace desmo {
 
-/// How the axes of a body follow from those of its parent.
+/// Ways in which the axes of a body follow from those of its parent.
 enum class Turn {
   none,            ///< they are the parent's
   in_plane,        ///< turned by an angle in the plane
