@@ -66,6 +66,20 @@ TEST(TableEnclosure, IsUnboundedWhereItReachesTooFar) {
   EXPECT_TRUE(std::isinf(enclose_table(number, 100, 30)[0].radius));
 }
 
+/// A table that does not repeat has no values beyond its ends, so that no step leads there and
+/// back.
+TEST(TableEnclosure, IsUnboundedWhereItLeadsOutOfTheTable) {
+  const std::vector<double> t = numbers_of({0, 1, 2}, {0, 1, 3}, SplineEnds::natural);
+  const auto number = [&](int i) { return Derived(t[i]); };
+  const double margin = 2e-9;  // 1e-9 of its length
+  for (const double at : {0.4, 1.5})
+    for (const double beyond : {-margin, margin / 3, margin * 3, 0.1}) {
+      const double distance = (at < 1 ? at : 2 - at) + beyond;
+      EXPECT_EQ(std::isfinite(enclose_table(number, at, distance)[0].radius), beyond < margin)
+          << at << ", " << beyond;
+    }
+}
+
 TEST(Table, EndsWithinAMarginForRounding) {
   const std::vector<double> t = numbers_of({0, 1, 2}, {0, 1, 3}, SplineEnds::natural);
   const double margin = 2e-9;  // 1e-9 of its length

@@ -57,9 +57,13 @@ std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, doub
     double t = turns;
     for (int knots = 0; is_bounded; ++knots) {
       const bool is_last = way < 0 ? p == 0 : p == table.count - 1;
-      if (is_last && !table.repeats) break;
       const Derived far = table.distance(way < 0 ? p : p + 1, t, at);
-      if (way * far.value - rest_of(far) > reach) break;
+      const double room = way * far.value - rest_of(far);
+      if (room > reach) break;
+      if (is_last && !table.repeats) {
+        is_bounded = reach <= room + table_margin * table.length.value;
+        break;
+      }
       is_bounded = knots < max_knots;
       p += way;
       if (is_last) p = way < 0 ? table.count - 1 : 0, t += way;

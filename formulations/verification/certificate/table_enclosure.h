@@ -36,8 +36,8 @@ struct TablePieces {
 /// Encloses a table f by Taylor's coefficients a₀ … a₃ about `at`. For each |y| ≤ distance, some
 /// numbers within the radii of the aₖ give f(at + y) = Σ aₖ yᵏ. Other numbers within them give f′
 /// and f″ there. Radii cover the neighbouring pieces within the distance. All aₖ are NaN where `at`
-/// is outside of the table. Radii are infinite where too many knots are that near, or the distance
-/// is not finite.
+/// is outside of the table. Radii are infinite where the distance leads out of the table
+/// (table_margin), is not finite, or has too many knots in it.
 std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, double distance);
 
 // Access to the scalars of proofs. lead() returns the leading double, size_of() a bound on the
