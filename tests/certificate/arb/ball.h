@@ -35,11 +35,13 @@ class Ball {
   arb_srcptr get() const { return x_; }
   /// Returns an upper bound of the distance from a number.
   double distance(const Ball& from) const {
-    return bound_of_distance(from, arb_get_abs_ubound_arf, ARF_RND_UP);
-  }
-  /// Returns a lower bound of the distance from a number.
-  double least_distance(const Ball& from) const {
-    return bound_of_distance(from, arb_get_abs_lbound_arf, ARF_RND_DOWN);
+    const Ball d = *this - from;
+    arf_t bound;
+    arf_init(bound);
+    arb_get_abs_ubound_arf(bound, d.x_, bits);
+    const double result = arf_get_d(bound, ARF_RND_UP);
+    arf_clear(bound);
+    return result;
   }
 
   friend Ball operator-(const Ball& a) {
@@ -66,19 +68,8 @@ class Ball {
   friend Ball cos(const Ball& a) {
     return with(a, a, [](auto z, auto x, auto) { arb_cos(z, x, bits); });
   }
-  friend bool operator<(const Ball& a, const Ball& b) { return arb_lt(a.x_, b.x_) != 0; }
 
  private:
-  template <class Function>
-  double bound_of_distance(const Ball& from, Function&& get, arf_rnd_t rounding) const {
-    const Ball d = *this - from;
-    arf_t bound;
-    arf_init(bound);
-    get(bound, d.x_, bits);
-    const double result = arf_get_d(bound, rounding);
-    arf_clear(bound);
-    return result;
-  }
   template <class Function>
   static Ball with(const Ball& a, const Ball& b, Function&& function) {
     Ball z;
