@@ -83,7 +83,9 @@ struct Compensated {
   /// Returns an interval that holds the number.
   BasicInterval<S> enclosure() const {
     // A radius is a sum of products that are not negative. The factor covers 2^13 roundings in a
-    // row, each of a relative 2^-53.
+    // row, each of a relative 2^-53. Radii do not count what underflow takes off a product, less
+    // than 2^-1072. The sum of intervals adds 2^-500 (BasicInterval::tiny), which covers it as long
+    // as later factors stay below 2^500 in all.
     constexpr double up = 1 + 0x1p-40;
     return BasicInterval<S>(value, radius * S(up)) + BasicInterval<S>(correction, S(0));
   }
