@@ -1,10 +1,11 @@
-// Batches of dyads against quadruple precision, where their lanes share pivots that suit none, and
-// where errors are as usual.
+// Batches of dyads against their exact positions, where their lanes share pivots that suit none,
+// and where errors are as usual.
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <boost/multiprecision/float128.hpp>
+#include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -13,62 +14,45 @@
 namespace desmo::dyad_blocks_test {
 namespace {
 
-using Wide = boost::multiprecision::float128;
 using Point = std::array<double, 2>;
 
 /// Two centres and the point where links from them meet.
 struct Dyad {
   std::array<Point, 2> centres;
   Point meeting;
-
-  std::array<double, 2> squares() const {
-    std::array<double, 2> all;
-    for (int k = 0; k < 2; ++k) {
-      const double x = meeting[0] - centres[k][0], y = meeting[1] - centres[k][1];
-      all[k] = x * x + y * y;
-    }
-    return all;
-  }
-  /// Returns the exact meeting point of links with these squares.
-  std::array<Wide, 2> exact() const {
-    std::array<Wide, 2> p{meeting[0], meeting[1]};
-    for (int iteration = 0; iteration < 8; ++iteration) {
-      std::array<Wide, 2> x, y, phi;
-      for (int k = 0; k < 2; ++k) {
-        x[k] = p[0] - centres[k][0], y[k] = p[1] - centres[k][1];
-        phi[k] = x[k] * x[k] + y[k] * y[k] - squares()[k];
-      }
-      const Wide twice = 2 * (x[0] * y[1] - x[1] * y[0]);
-      p[0] -= (phi[0] * y[1] - phi[1] * y[0]) / twice;
-      p[1] -= (x[0] * phi[1] - x[1] * phi[0]) / twice;
-    }
-    return p;
-  }
 };
 
-/// A dyad as block of two equations: its coordinates are 2 k and 2 k + 1, its centres are fixed.
-BlockBatch::Member member(int k, const Dyad& dyad) {
-  BlockBatch::Member made{{}, 0, k, Level::acceleration, {2 * k, 2 * k + 1}};
-  BlockShape& s = made.block.shape;
-  s.unknowns = 2;
-  s.linear = false;
-  s.columns = {0, 1, BlockShape::fixed, BlockShape::fixed, BlockShape::fixed, BlockShape::fixed};
-  s.entries = s.column_rows = {0, 1, 0, 1};
-  s.row_begins = s.column_begins = {0, 2, 4};
-  s.input_begins = {2, 4};
-  s.column_rows = {0, 1, 0, 1};
-  s.column_entries = {0, 2, 1, 3};
-  for (int row = 0; row < 2; ++row) {  // Jacobian::entries: of the first point, then of the second
-    const int first = 2 * row;
-    s.objects.push_back(
-        {kind_index<Length<2>>(), {2 + first, 0}, {row, -1, -1}, row, {-1, first, -1, first + 1}});
+/// A batch of dyads whose links are as long as they are drawn, to twice the digits of a double. The
+/// centres are fixed; coordinates of meeting point k are 2 k and 2 k + 1.
+struct Dyads {
+  explicit Dyads(const std::vector<Dyad>& dyads) {
+    Model m;
+    const GroupId group = m.add_group("dyads", {});
+    for (const Dyad& dyad : dyads) m.add(EntityKind::point, "meeting", dyad.meeting, group);
+    std::vector<BlockBatch::Member> members;
+    for (int k = 0; k < static_cast<int>(dyads.size()); ++k) {
+      const auto& [centres, meeting] = dyads[k];
+      for (const Point& centre : centres) {
+        const Derived x = Derived(meeting[0]) - centre[0], y = Derived(meeting[1]) - centre[1];
+        const EntityId fixed = m.add_fixed(EntityKind::point, "centre", centre);
+        m.add({"link", kind_index<Length<2>>(), {fixed, k}, {x * x + y * y}, group});
+      }
+    }
+    for (int k = 0; k < static_cast<int>(dyads.size()); ++k)
+      members.push_back(member_of(m, {.groups = {group},
+                                      .unknowns = {2 * k, 2 * k + 1},
+                                      .equations = {{2 * k, 0}, {2 * k + 1, 0}}}));
+    batch.emplace(members, std::vector<double>(m.coordinates(), 1), 0);
+    errors = tables_of(m.state_size());
+    const std::vector<double> drawn = m.state_of(m.estimate);
+    for (int i = 0; i < m.state_size(); ++i) errors.position.rows[i].delivered = drawn[i];
   }
-  for (int i = 0; i < 2; ++i) made.block.states.push_back(2 * k + i);
-  for (int i = 0; i < 4; ++i) made.block.states.push_back(4 + 4 * k + i);
-  made.block.coordinates = made.rows;
-  made.block.constants = {dyad.squares()[0], dyad.squares()[1]};
-  return made;
-}
+
+  LaneMask prove() { return proof_for(*batch).prove(*batch, Level::position, errors).position; }
+
+  std::optional<BlockBatch> batch;
+  PerLevel<ErrorTable> errors;
+};
 
 TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
   std::mt19937 generator(1);
@@ -78,27 +62,15 @@ TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
       // Links nearly along the axes: what is a good pivot in one lane is a poor one in the other.
       const Point p{uniform(generator), uniform(generator)};
       const Point beside{p[0] - 1, p[1] - slant}, below{p[0] - slant, p[1] - 1};
-      const std::array<Dyad, 2> dyads{Dyad{{beside, below}, p}, Dyad{{below, beside}, p}};
-      std::vector<BlockBatch::Member> members;
-      for (int k = 0; k < 2; ++k) members.push_back(member(k, dyads[k]));
-      BlockBatch batch(members, {1, 1, 1, 1}, 0);
-      PerLevel<ErrorTable> errors = tables_of(12);
-      for (int k = 0; k < 2; ++k)
-        for (int i = 0; i < 2; ++i) {
-          errors.position.rows[2 * k + i].delivered = p[i] + 1e-12 * uniform(generator);
-          for (int c = 0; c < 2; ++c)
-            errors.position.rows[4 + 4 * k + 2 * c + i].delivered = dyads[k].centres[c][i];
-        }
-      BlockProof proof({.unknowns = 2, .width = 2, .states = 6, .columns = 0});
-      const PerLevel<LaneMask> proven = proof.prove(batch, Level::position, errors);
-      for (int k = 0; k < 2; ++k) {
-        EXPECT_TRUE(proven.position[k]) << slant;
-        for (int i = 0; i < 2; ++i) {
-          const double delivered = errors.position.rows[2 * k + i].delivered;
-          const Wide error = abs(dyads[k].exact()[i] - delivered);
-          EXPECT_LE(error, Wide(errors.position.rows[2 * k + i].sum)) << slant;
-          EXPECT_LE(errors.position.rows[2 * k + i].sum, 1.01 * static_cast<double>(error) + 1e-16);
-        }
+      Dyads dyads({Dyad{{beside, below}, p}, Dyad{{below, beside}, p}});
+      std::vector<ErrorTable::Row>& rows = dyads.errors.position.rows;
+      for (int i = 0; i < 4; ++i) rows[i].delivered += 1e-12 * uniform(generator);
+      const LaneMask proven = dyads.prove();
+      for (int i = 0; i < 4; ++i) {
+        EXPECT_TRUE(proven[i / 2]) << slant;
+        const double error = std::abs(p[i % 2] - rows[i].delivered);
+        EXPECT_LE(error, rows[i].sum) << slant;
+        EXPECT_LE(rows[i].sum, 1.01 * error + 1e-16);
       }
     }
 }
@@ -108,22 +80,16 @@ TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
 /// along the links, where the error is small. X is 1e-11, and its square costs no digit.
 TEST(BlockProof, HoldsUsualErrorsInTheFirstX) {
   const Dyad dyad{{Point{0, 0}, Point{0, 1e-4}}, {1, 0}};
-  const BlockBatch::Member made = member(0, dyad);
-  BlockBatch batch(std::span(&made, 1), {1, 1}, 0);
-  PerLevel<ErrorTable> errors = tables_of(8);
-  ErrorTable& e = errors.position;
+  Dyads dyads({dyad});
+  ErrorTable& e = dyads.errors.position;
   for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(2);
-  e.rows[0].delivered = 1;
   e.rows[1].delivered = 4e-12;
-  e.rows[7].delivered = dyad.centres[1][1];
-  BlockProof proof({.unknowns = 2, .width = 2, .states = 6, .columns = 0});
-  ASSERT_TRUE(proof.prove(batch, Level::position, errors).position[0]);
+  ASSERT_TRUE(dyads.prove()[0]);
   e.write_bounds();
   for (int i = 0; i < 2; ++i) {
-    EXPECT_GT(batch.jacobian.radius[i][0], 1e-11);  // 2 X, for Φ is of second degree
+    EXPECT_GT(dyads.batch->jacobian.radius[i][0], 1e-11);  // 2 X, for Φ is of second degree
     EXPECT_LE(e.rest[i], 0x1p-56);
-    const Wide error = abs(dyad.exact()[i] - e.rows[i].delivered - e.correction[i]);
-    EXPECT_LE(error, Wide(e.rest[i]));
+    EXPECT_LE(std::abs(dyad.meeting[i] - e.rows[i].delivered - e.correction[i]), e.rest[i]);
   }
 }
 

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/constraints/constraints.h"
-#include "formulations/verification/certificate/block_proof.h"
+#include "tests/certificate/product_block.h"
 
 namespace desmo::linear_blocks_test {
 namespace {
@@ -44,9 +43,7 @@ class Block {
              .constants = {e.c.begin(), e.c.end()},
              .group = part.groups[0]});
     }
-    BlockBatch::Member made{shaped_block(m, part), 0, 0, Level::acceleration, {}};
-    made.rows = made.block.coordinates;
-    batch_.emplace(std::vector{made}, std::vector<double>(m.coordinates(), 1), 0);
+    batch_.emplace(std::vector{member_of(m, part)}, std::vector<double>(m.coordinates(), 1), 0);
     errors_.position.rows.resize(m.coordinates());
   }
 
@@ -61,12 +58,7 @@ class Block {
       row = {row.delivered, error, 0, std::abs(error)};
     }
   }
-  bool prove() {
-    const BlockShape& s = batch_->equations.shape();
-    BlockProof proof(
-        {.unknowns = s.unknowns, .width = s.width(), .states = s.states(), .columns = 0});
-    return proof.prove(*batch_, Level::position, errors_).position[0];
-  }
+  bool prove() { return proof_for(*batch_).prove(*batch_, Level::position, errors_).position[0]; }
   double radius(int point) const { return errors_.position.rows[dimensions * point].sum; }
 
  private:

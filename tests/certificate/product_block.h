@@ -1,4 +1,4 @@
-// A block of one equation, made by hand.
+// Blocks that are proven by themselves, and one of a single equation.
 #pragma once
 
 #include <array>
@@ -17,6 +17,20 @@ inline PerLevel<ErrorTable> tables_of(int rows) {
   return errors;
 }
 
+/// Returns a part of a model as a block whose coordinates have the rows of their numbers.
+inline BlockBatch::Member member_of(const Model& m, const PartDefinition& part) {
+  BlockBatch::Member made{shaped_block(m, part), part.groups.front(), 0, Level::acceleration, {}};
+  made.rows = made.block.coordinates;
+  return made;
+}
+
+/// Returns a prover that is large enough for a batch.
+inline BlockProof proof_for(const BlockBatch& batch) {
+  const BlockShape& s = batch.equations.shape();
+  return BlockProof(
+      {.unknowns = s.unknowns, .width = s.width(), .states = s.states(), .columns = 0});
+}
+
 /// An equation u·v = c, of which only the first component of u is unknown.
 inline BlockBatch::Member product_of_vectors(double c) {
   Model m;
@@ -24,8 +38,7 @@ inline BlockBatch::Member product_of_vectors(double c) {
   for (const char* name : {"u", "v"})
     m.add(EntityKind::vector, name, std::array<double, 3>{}, group);
   m.add({"product", kind_index<Dot<3>>(), {0, 1}, {c}, group});
-  const PartDefinition part{.groups = {group}, .unknowns = {0}, .equations = {{0, 0}}};
-  return {shaped_block(m, part), group, 0, Level::acceleration, {0, 1, 2, 3, 4, 5}};
+  return member_of(m, {.groups = {group}, .unknowns = {0}, .equations = {{0, 0}}});
 }
 
 /// A proof about that block alone. Rows of its tables are u₁ u₂ u₃ v₁ v₂ v₃. With symbols, it is in
