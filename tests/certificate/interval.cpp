@@ -17,51 +17,48 @@ namespace {
 using Exact = boost::multiprecision::cpp_rational;
 using Wide = boost::multiprecision::float128;
 
-/// Random intervals: points and wide ones, of magnitudes from 1e-8 to 1e8.
-class Intervals {
- public:
-  explicit Intervals(double radius) : radius_(radius) {}
+std::mt19937 generator(1);
 
-  Interval next() {
-    const double mid = sign() * number();
-    return {mid, radius_ * std::abs(mid) * uniform_(generator_)};
-  }
-  /// Returns a number of the interval, often one of its ends.
-  Exact within(const Interval& x) {
-    const double share = std::clamp(1.5 * sign() * uniform_(generator_), -1.0, 1.0);
-    return Exact(x.mid) + Exact(x.radius) * Exact(share);
-  }
+double random(double from, double to) {
+  return std::uniform_real_distribution<double>(from, to)(generator);
+}
 
- private:
-  double number() { return std::pow(10, 16 * uniform_(generator_) - 8); }
-  double sign() { return uniform_(generator_) < 0.5 ? -1 : 1; }
+/// Returns an interval of a magnitude from 1e-8 to 1e8, with up to this relative radius.
+Interval any_interval(double radius) {
+  const double mid = (random(0, 1) < 0.5 ? -1 : 1) * std::pow(10, random(-8, 8));
+  return {mid, radius * std::abs(mid) * random(0, 1)};
+}
 
-  double radius_;
-  std::mt19937 generator_{1};
-  std::uniform_real_distribution<double> uniform_{0, 1};
-};
-
-/// Returns the largest distance from the midpoint that was seen, over the radius.
-template <class Operation>
-double worst_of(double radius, Operation&& operation) {
-  Intervals intervals(radius);
+/// Returns the largest distance from the midpoint that was seen, over the radius, of an operation
+/// in numbers N of two intervals, often at one of their ends.
+/// - draw(): an interval
+/// - of_reference: error of the operation in N
+template <class N, class Draw, class Operation>
+double worst_of(int count, Draw&& draw, Operation&& operation, double of_reference = 0) {
+  const auto within = [](const Interval& x) {
+    const double share = std::clamp(random(-1.5, 1.5), -1.0, 1.0);
+    return N(N(x.mid) + N(x.radius) * N(share));
+  };
   double worst = 0;
-  for (int i = 0; i < (DESMO_SANITIZED ? 2000 : 20'000); ++i) {
-    const Interval a = intervals.next(), b = intervals.next();
-    const Exact x = intervals.within(a), y = intervals.within(b);
+  for (int i = 0; i < count / (DESMO_SANITIZED ? 20 : 1); ++i) {
+    const Interval a = draw(), b = draw();
     const Interval result = operation(a, b);
-    const Exact off = abs(operation(x, y) - Exact(result.mid));
-    EXPECT_LE(off, Exact(result.radius)) << a.mid << ' ' << b.mid;
-    worst = std::max(worst, static_cast<double>(off / Exact(result.radius)));
+    const N off = abs(operation(within(a), within(b)) - N(result.mid));
+    EXPECT_LE(off, N(result.radius) + N(of_reference)) << a.mid << ' ' << b.mid;
+    worst = std::max(worst, static_cast<double>(off / N(result.radius)));
   }
   return worst;
 }
 
 TEST(Interval, HoldsSumsDifferencesAndProducts) {
   for (const double radius : {0.0, 1e-16, 1e-9, 0.5}) {
-    EXPECT_GT(worst_of(radius, [](auto a, auto b) { return decltype(a)(a + b); }), 0.9);
-    EXPECT_GT(worst_of(radius, [](auto a, auto b) { return decltype(a)(a - b); }), 0.9);
-    EXPECT_GT(worst_of(radius, [](auto a, auto b) { return decltype(a)(a * b); }), 0.9);
+    const auto worst = [&](auto&& operation) {
+      return worst_of<Exact>(
+          20'000, [&] { return any_interval(radius); }, operation);
+    };
+    EXPECT_GT(worst([](auto a, auto b) { return decltype(a)(a + b); }), 0.9);
+    EXPECT_GT(worst([](auto a, auto b) { return decltype(a)(a - b); }), 0.9);
+    EXPECT_GT(worst([](auto a, auto b) { return decltype(a)(a * b); }), 0.9);
   }
 }
 
@@ -80,41 +77,27 @@ TEST(Interval, IsExactWhereNothingIsRounded) {
 }
 
 TEST(Interval, MagnitudeIsAnUpperBound) {
-  Intervals intervals(0.5);
   for (int i = 0; i < (DESMO_SANITIZED ? 200 : 10'000); ++i) {
-    const Interval a = intervals.next();
+    const Interval a = any_interval(0.5);
     EXPECT_LE(abs(Exact(a.mid)) + Exact(a.radius), Exact(a.magnitude()));
   }
-}
-
-/// Largest distance of f of the numbers in an interval from the midpoint of its result, over the
-/// radius, where angles have magnitudes up to `largest`.
-template <class Function>
-double worst_of_function(double radius, double largest, Function&& f) {
-  std::mt19937 generator(2);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  double worst = 0;
-  for (int i = 0; i < (DESMO_SANITIZED ? 500 : 50'000); ++i) {
-    const Interval a(largest * uniform(generator), radius * std::abs(uniform(generator)));
-    const double share = std::clamp(1.5 * uniform(generator), -1.0, 1.0);
-    const Interval result = f(a);
-    const Wide off = abs(f(Wide(a.mid) + Wide(a.radius) * share) - Wide(result.mid));
-    const Wide of_reference = largest * 1e-33;  // its own rounding of such an angle
-    EXPECT_LE(off, Wide(result.radius) + of_reference) << a.mid << " within " << a.radius;
-    worst = std::max(worst, static_cast<double>(off / result.radius));
-  }
-  return worst;
 }
 
 TEST(Interval, HoldsSinesAndCosines) {
   for (const double largest : {1e-3, 4.0, 1e6, 1e15})
     for (const double radius : {0.0, 1e-16, 1e-9, 0.5, 4.0}) {
-      const auto sine = [](auto x) { return decltype(x)(sin(x)); };
-      const auto cosine = [](auto x) { return decltype(x)(cos(x)); };
-      // The worst is that of the library where the interval is a point, a quarter or half
-      // of what is assumed.
-      EXPECT_GT(worst_of_function(radius, largest, sine), 0.24) << radius << " at " << largest;
-      EXPECT_GT(worst_of_function(radius, largest, cosine), 0.24) << radius << " at " << largest;
+      const auto worst = [&](auto&& function) {
+        const auto draw = [&] {
+          return Interval(random(-largest, largest), radius * random(0, 1));
+        };
+        return worst_of<Wide>(50'000, draw, function, largest * 1e-33);
+      };
+      // The worst is that of the library where the interval is a point, a quarter or half of what
+      // is assumed.
+      const auto sine = [](auto x, auto) { return decltype(x)(sin(x)); };
+      const auto cosine = [](auto x, auto) { return decltype(x)(cos(x)); };
+      EXPECT_GT(worst(sine), 0.24) << radius << " at " << largest;
+      EXPECT_GT(worst(cosine), 0.24) << radius << " at " << largest;
     }
 }
 
