@@ -16,29 +16,24 @@
 namespace desmo::path_proof_test {
 namespace {
 
-/// Instants of a model, certified.
-class Certified {
- public:
-  Certified(const Model& m, const std::vector<ReferenceInstant>& solved) : solved_(solved) {
-    Certifier certifier(m);
-    for (const ReferenceInstant& s : solved_) {
-      const Certificate c = certifier.certify(instant_of(s));
-      radius_.emplace_back(c.radius.position.begin(), c.radius.position.end());
-    }
+/// Returns instants of a model, certified.
+std::vector<InstantCopy> certified(const Model& m, const std::vector<ReferenceInstant>& solved) {
+  Certifier certifier(m);
+  std::vector<InstantCopy> all(solved.size());
+  for (std::size_t k = 0; k < solved.size(); ++k) {
+    const ReferenceInstant& s = solved[k];
+    all[k].assign({s.time, {s.q, s.qd, s.qdd}, certifier.certify(instant_of(s)).radius.position});
   }
-  CertifiedInstant operator()(std::size_t k, Level level = Level::acceleration) const {
-    const ReferenceInstant& s = solved_[k];
-    CertifiedInstant at{s.time, {s.q, s.qd, s.qdd}, radius_[k]};
-    if (level < Level::acceleration) at.values.acceleration = {};
-    if (level < Level::velocity) at.values.velocity = {};
-    return at;
-  }
-  const std::vector<double>& q(std::size_t k) const { return solved_[k].q; }
+  return all;
+}
 
- private:
-  std::vector<ReferenceInstant> solved_;
-  std::vector<std::vector<double>> radius_;
-};
+/// Returns an instant up to a level.
+CertifiedInstant up_to(Level level, const InstantCopy& instant) {
+  CertifiedInstant at = instant.view();
+  if (level < Level::acceleration) at.values.acceleration = {};
+  if (level < Level::velocity) at.values.velocity = {};
+  return at;
+}
 
 struct Tally {
   int steps = 0, proven = 0;
@@ -53,22 +48,22 @@ Tally prove_steps(const Model& m, const std::vector<double>& begins, double leng
   for (const double t : begins)
     for (int i = 0; i <= inner + 1; ++i) times.push_back(t + length * i / (inner + 1));
   std::ranges::sort(times);
-  const Certified at(m, double_solution(m, times));
+  const std::vector<InstantCopy> at = certified(m, double_solution(m, times));
   const Certifier blocks(m);
   PathProof path(m, blocks);
   Tally tally;
   const std::size_t stride = inner + 1;
   for (std::size_t k = 0; k + stride < times.size(); k += stride + 1) {
     ++tally.steps;
-    if (!path.prove(at(k, level), at(k + stride, level)).proven) continue;
+    if (!path.prove(up_to(level, at[k]), up_to(level, at[k + stride])).proven) continue;
     ++tally.proven;
     for (std::size_t j = k; j <= k + stride; ++j)
       for (int i = 0; i < m.coordinates(); ++i) {
         constexpr double solved_to = 1e-12;  // of the solutions in between
-        const double tube = path.radius(i), off = std::abs(at.q(j)[i] - path.centre(i, times[j]));
-        EXPECT_LE(off, tube + solved_to * (1 + std::abs(at.q(j)[i])))
+        const double q = at[j].values.position[i], tube = path.radius(i);
+        EXPECT_LE(std::abs(q - path.centre(i, times[j])), tube + solved_to * (1 + std::abs(q)))
             << m.name << ", coordinate " << i << " at " << times[j];
-        tally.widest = std::max(tally.widest, tube / (1 + std::abs(at.q(j)[i])));
+        tally.widest = std::max(tally.widest, tube / (1 + std::abs(q)));
       }
   }
   std::cout << m.name << ": " << tally.proven << " of " << tally.steps << ", widest "
@@ -113,17 +108,15 @@ TEST(PathProof, TakesTheLevelOfEachCoordinate) {
   for (const Scene& scene : library_scenes()) {
     const Model m = make_model(scene);
     const double t = scene.grid.start;
-    const Certified at(m, double_solution(m, std::vector{t, t + scene.grid.interval()}));
+    const auto at = certified(m, double_solution(m, std::vector{t, t + scene.grid.interval()}));
     const Certifier blocks(m);
     PathProof mixed(m, blocks), same(m, blocks);
     std::vector<Level> levels;
     for (int i = 0; i < m.coordinates(); ++i) levels.push_back(all_levels[(i + i / 4) % 3]);
-    CertifiedInstant from = at(0), to = at(1);
-    from.levels = levels;
-    static_cast<void>(mixed.prove(from, to));
+    static_cast<void>(mixed.prove(at[0].view(levels), at[1].view()));
     odd += m.coordinates() % 4 != 0;
     for (const Level level : all_levels) {
-      static_cast<void>(same.prove(at(0, level), at(1, level)));
+      static_cast<void>(same.prove(up_to(level, at[0]), up_to(level, at[1])));
       for (int i = 0; i < m.coordinates(); ++i)
         if (levels[i] == level) EXPECT_EQ(mixed.path(i), same.path(i)) << m.name << ' ' << i;
     }
@@ -151,14 +144,14 @@ TEST(PathProof, AsksForAStepThatEndsAtAKnot) {
   Model m = make_model(library_scene("slider_crank"));
   m.drivers[0].motion = make_spline({0, 1, 2}, {0.5, 0.7, 0.3}, SplineEnds::natural);
   const std::vector<double> times{0.98, 1, 1.02, 1.04, 2.5, 2.52};
-  const Certified at(m, double_solution(m, times));
+  const std::vector<InstantCopy> at = certified(m, double_solution(m, times));
   const Certifier blocks(m);
   PathProof path(m, blocks);
   EXPECT_EQ(first_knot(m, 0.98, 1.02), 1);
   EXPECT_FALSE(first_knot(m, 1, 1.02));
-  EXPECT_FALSE(path.prove(at(0), at(2)).proven);
+  EXPECT_FALSE(path.prove(at[0].view(), at[2].view()).proven);
   for (const std::size_t from : {0, 1, 2, 4})
-    EXPECT_TRUE(path.prove(at(from), at(from + 1)).proven);
+    EXPECT_TRUE(path.prove(at[from].view(), at[from + 1].view()).proven);
 }
 
 }  // namespace
