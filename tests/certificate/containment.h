@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
-#include "formulations/base/reference_instant.h"
 #include "formulations/verification/certificate/certificate.h"
+#include "tests/checked/rows.h"
 
 namespace desmo {
 
@@ -43,24 +44,19 @@ struct Containment {
     const Certificate c = certifier.certify(instant_of(delivered), sets);
     ++instants;
     proven += c.proven;
-    compare(Level::position, c, delivered.q, exact.q, exact.remainder.q);
-    compare(Level::velocity, c, delivered.qd, exact.qd, exact.remainder.qd);
-    compare(Level::acceleration, c, delivered.qdd, exact.qdd, exact.remainder.qdd);
+    EXPECT_EQ(c.proven, c.failure == ProofFailure::none);
+    const PerLevel<std::span<const double>> values{delivered.q, delivered.qd, delivered.qdd};
+    for (const Level level : all_levels)
+      for (int i = 0; i < std::ssize(values[level]); ++i) {
+        const double radius = c.radius[level][i],
+                     error = error_of(values[level][i], exact, level, i);
+        EXPECT_LE(error, radius) << "level " << static_cast<int>(level) << ", coordinate " << i
+                                 << ", time " << instants;
+        EXPECT_TRUE(!c.proven || std::isfinite(radius));
+        if (std::isfinite(radius)) widest[level] = std::max(widest[level], radius);
+        if (error > 0) ratios[level].push_back(radius / error);
+      }
     return c;
-  }
-
- private:
-  void compare(Level level, const Certificate& c, const std::vector<double>& value,
-               const std::vector<double>& nearest, const std::vector<double>& remainder) {
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      const double radius = c.radius[level][i];
-      const double error = std::abs((value[i] - nearest[i]) - remainder[i]);
-      EXPECT_LE(error, radius) << "level " << static_cast<int>(level) << ", coordinate " << i
-                               << ", time " << instants;
-      EXPECT_TRUE(!c.proven || std::isfinite(radius));
-      if (std::isfinite(radius)) widest[level] = std::max(widest[level], radius);
-      if (error > 0) ratios[level].push_back(radius / error);
-    }
   }
 };
 

@@ -74,28 +74,6 @@ TEST(CertificateAtADeadPoint, IsGivenUp) {
   }
 }
 
-TEST(CertificateOfWrongNumbers, HoldsOrIsGivenUp) {
-  for (const char* name : {"slider_crank", "andrews", "rssr", "double_wishbone"}) {
-    const Scene scene = library_scene(name);
-    const Model m = make_model(scene);
-    const auto exact =
-        reference_solution(m, sampled(scene.grid, DESMO_SANITIZED ? 2 : 10), Precision::quadruple);
-    Certifier certifier(m);
-    std::mt19937 generator(1);
-    for (const double noise : {1e-15, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2}) {
-      Containment c;
-      for (const ReferenceInstant& e : exact) {
-        ReferenceInstant delivered = e;
-        disturb(m, delivered, noise * nominal_size(m), generator);
-        c.add(certifier, delivered, e);
-      }
-      if (noise < 1e-7) {
-        EXPECT_EQ(c.proven, c.instants) << name << ' ' << noise;
-      }
-    }
-  }
-}
-
 TEST(CertificateOfWrongNumbers, IsGivenUpWhereTheyAreNotFinite) {
   const Scene scene = library_scene("slider_crank");
   const Model m = make_model(scene);
