@@ -25,12 +25,11 @@ struct FourBar {
   double to_pivot(double theta) const {
     return std::hypot(base - crank * std::cos(theta), crank * std::sin(theta));
   }
+  /// Returns whether the bars close with a margin, which grows with the distance from the point.
   bool closes_at(double theta) const {
-    const double distance = to_pivot(theta), margin = 0.05;
-    return distance < coupler + rocker - margin * theta_from_point(theta) &&
-           distance > std::abs(coupler - rocker) + margin * theta_from_point(theta);
+    const double distance = to_pivot(theta), margin = 0.05 * (theta - point) * (theta - point);
+    return distance < coupler + rocker - margin && distance > std::abs(coupler - rocker) + margin;
   }
-  double theta_from_point(double theta) const { return (theta - point) * (theta - point); }
   /// Returns the joint of coupler and rocker. side: 1 or −1, left or right of the line from the
   /// crank's pin to the rocker's pivot.
   Mechanism::Vec joint(double theta, double side) const {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace desmo::group_interface_test {
 namespace {
@@ -98,10 +99,9 @@ TEST(GroupInterface, HandsRadiiOnWhereOneIsNotBounded) {
     ErrorTable table = table_of_next();
     interface.lend(Level::position, size, 3, table);
     for (int i = 0; i < size; ++i) {
-      EXPECT_EQ(table.rows[size + i].delivered, table.rows[i].delivered);
-      EXPECT_EQ(table.rows[size + i].centre, table.rows[i].centre);
-      EXPECT_EQ(table.rows[size + i].own, table.rows[i].own);
-      EXPECT_EQ(table.rows[size + i].sum, table.rows[i].sum);
+      const ErrorTable::Row &lent = table.rows[size + i], &box = table.rows[i];
+      EXPECT_EQ(std::tie(lent.delivered, lent.centre, lent.own, lent.sum),
+                std::tie(box.delivered, box.centre, box.own, box.sum));
       for (int k = 0; k < table.columns; ++k) EXPECT_EQ(table.of_row(size + i)[k], 0);
     }
   }
