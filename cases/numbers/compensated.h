@@ -89,6 +89,8 @@ struct Compensated {
     constexpr double up = 1 + 0x1p-40;
     return BasicInterval<S>(value, radius * S(up)) + BasicInterval<S>(correction, S(0));
   }
+  /// Returns an upper bound of the number's magnitude.
+  S magnitude() const { return enclosure().magnitude(); }
   /// Compares values without their corrections: splines find the interval of a time in this way.
   friend bool operator<(const Compensated& a, const Compensated& b) { return a.value < b.value; }
 

@@ -40,8 +40,8 @@ struct TablePieces {
 /// (table_margin), is not finite, or has too many knots in it.
 std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, double distance);
 
-// Access to the scalars of proofs. lead() returns the leading double, size_of() a bound on the
-// magnitude. in_lane() reads the number in a lane, set_lane() sets it. A double has one lane.
+// Access to the scalars of proofs. lead() returns the leading double. in_lane() reads the number in
+// a lane, set_lane() sets it. A double has one lane.
 
 inline double in_lane(double x, int) { return x; }
 inline double in_lane(const LaneNumbers& x, int lane) { return x[lane]; }
@@ -59,15 +59,6 @@ const S& lead(const BasicInterval<S>& x) {
 template <class S, int D>
 const S& lead(const TaylorModel<S, D>& x) {
   return x.c[0];
-}
-
-template <class S>
-S size_of(const Compensated<S>& x) {
-  return x.enclosure().magnitude();
-}
-template <class S>
-auto size_of(const S& x) {
-  return x.magnitude();
 }
 
 /// Returns a bound on |x − x.value|. The factor covers the rounding of radii.
@@ -122,7 +113,7 @@ void set_dimensions(std::array<S, Kind::constants + 1>& c, const S* const* x, co
         std::is_same_v<std::decay_t<decltype(at)>, double> ? 1 : int{LaneNumbers::count};
     std::decay_t<decltype(argument)> centre;
     for (int lane = 0; lane < lanes; ++lane) set_lane(centre, lane, Derived(in_lane(at, lane)));
-    const auto distance = size_of(argument - centre);
+    const auto distance = (argument - centre).magnitude();
     c[3] = centre;
     for (int lane = 0; lane < lanes; ++lane) {
       const std::array<Derived, 4> a =

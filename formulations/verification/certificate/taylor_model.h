@@ -37,7 +37,7 @@ template <>
 struct Coefficient<Compensated<double>> {
   using Bound = double;
   static constexpr double unit = 0;
-  static double magnitude(const Compensated<double>& x) { return x.enclosure().magnitude(); }
+  static double magnitude(const Compensated<double>& x) { return x.magnitude(); }
   static Compensated<double> sum(const Compensated<double>& a, const Compensated<double>& b,
                                  const Compensated<double>& sum) {
     return sum + a * b;
