@@ -34,6 +34,13 @@ class ShapeBuilder {
   }
 
  private:
+  /// An entry that Kind::jacobian emits, in the order of objects.
+  struct Entry {
+    std::size_t object;  ///< position in BlockShape::objects
+    int row;             ///< in the block; -1: not of this block
+    int state;           ///< local
+  };
+
   void add(int position) {
     const Constraint& c = m_.constraints[position];
     BlockShape::Object o{c.kind, {}, {}, static_cast<int>(block_.constants.size()), {}};
@@ -48,8 +55,12 @@ class ShapeBuilder {
       block_.shape.linear &= Kind::linear;
     });
     block_.constants.insert(block_.constants.end(), c.constants.begin(), c.constants.end());
+    const std::size_t object = block_.shape.objects.size();
+    visit_incidence(m_, c, [&](int row, int state) {
+      const auto local_state = std::ranges::find(block_.states, state) - block_.states.begin();
+      entries_.push_back({object, o.rows[row], static_cast<int>(local_state)});
+    });
     block_.shape.objects.push_back(std::move(o));
-    constraints_.push_back(&c);
   }
 
   /// Returns the first local state of an entity. If the entity is new, numbers its states.
@@ -62,21 +73,11 @@ class ShapeBuilder {
     return at;
   }
 
-  /// Calls visit(row, local state) for each entry of the Jacobian of constraint k, in its order.
-  template <class Visit>
-  void for_each_entry(std::size_t k, Visit&& visit) const {
-    visit_incidence(m_, *constraints_[k], [&](int row, int state) {
-      visit(row, static_cast<int>(std::ranges::find(block_.states, state) - block_.states.begin()));
-    });
-  }
-
   void find_columns() {
     BlockShape& s = block_.shape;
     std::vector<bool> is_read(block_.states.size());
-    for (std::size_t k = 0; k < constraints_.size(); ++k)
-      for_each_entry(k, [&](int row, int state) {
-        if (s.objects[k].rows[row] >= 0) is_read[state] = true;
-      });
+    for (const Entry& e : entries_)
+      if (e.row >= 0) is_read[e.state] = true;
     for (std::size_t i = 0; i < block_.states.size(); ++i)
       s.columns.push_back(is_read[i] ? BlockShape::fixed : BlockShape::unread);
     for (const bool unknowns : {true, false})
@@ -93,15 +94,8 @@ class ShapeBuilder {
   void find_entries() {
     BlockShape& s = block_.shape;
     std::vector<std::set<int>> rows(s.unknowns);
-    const auto for_each = [&](auto&& visit) {
-      for (std::size_t k = 0; k < constraints_.size(); ++k)
-        for_each_entry(k, [&](int row, int state) {
-          visit(s.objects[k], s.objects[k].rows[row], s.columns[state]);
-        });
-    };
-    for_each([&](const BlockShape::Object&, int row, int column) {
-      if (row >= 0 && column >= 0) rows[row].insert(column);
-    });
+    for (const Entry& e : entries_)
+      if (e.row >= 0 && s.columns[e.state] >= 0) rows[e.row].insert(s.columns[e.state]);
     s.row_begins.push_back(0);
     for (const std::set<int>& row : rows) {
       const int begin = s.row_begins.back();
@@ -116,21 +110,23 @@ class ShapeBuilder {
         for (int e = s.row_begins[row]; e < s.row_begins[row + 1]; ++e)
           if (s.entries[e] == column) s.column_rows.push_back(row), s.column_entries.push_back(e);
     }
-    for_each([&](BlockShape::Object& o, int row, int column) {
-      if (row < 0 || column < 0) {
-        o.slots.push_back(-1);
-        return;
+    for (const Entry& e : entries_) {
+      std::vector<int>& slots = s.objects[e.object].slots;
+      const int column = s.columns[e.state];
+      if (e.row < 0 || column < 0) {
+        slots.push_back(-1);
+        continue;
       }
-      const auto begin = s.entries.begin() + s.row_begins[row];
-      const auto end = s.entries.begin() + s.row_begins[row + 1];
-      o.slots.push_back(static_cast<int>(std::lower_bound(begin, end, column) - s.entries.begin()));
-    });
+      const auto begin = s.entries.begin() + s.row_begins[e.row];
+      const auto end = s.entries.begin() + s.row_begins[e.row + 1];
+      slots.push_back(static_cast<int>(std::lower_bound(begin, end, column) - s.entries.begin()));
+    }
   }
 
   const Model& m_;
   const PartDefinition& part_;
   ShapedBlock block_;
-  std::vector<const Constraint*> constraints_;
+  std::vector<Entry> entries_;
 };
 
 }  // namespace
