@@ -1,5 +1,6 @@
 #include "formulations/verification/certificate/certificate.h"
 
+#include <algorithm>
 #include <climits>
 #include <cmath>
 #include <vector>
@@ -123,18 +124,16 @@ Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* 
           result.condition = condition;
           result.worst_conditioned = member.group;
         }
-        if (proven[solved_.back()][lane]) continue;  // lower levels are then proven, too
-        for (const Level level : solved_) {
-          if (proven[level][lane] || level > member.solved || member.order > first_failure)
-            continue;
-          first_failure = member.order;
-          result.proven = false;
-          result.group = member.group;
-          result.failure = proof_.failure(lane);
-          if (result.failure != ProofFailure::singular) continue;
-          result.condition = INFINITY;
-          result.worst_conditioned = member.group;
-        }
+        // Where a level is proven, all lower ones are.
+        const Level last = std::min(member.solved, solved_.back());
+        if (proven[last][lane] || member.order > first_failure) continue;
+        first_failure = member.order;
+        result.proven = false;
+        result.group = member.group;
+        result.failure = proof_.failure(lane);
+        if (result.failure != ProofFailure::singular) continue;
+        result.condition = INFINITY;
+        result.worst_conditioned = member.group;
       }
     }
     if (step.link >= 0) leave(schedule_->links[step.link]);
