@@ -72,6 +72,13 @@ TEST_F(Bench, HasEveryExperimentByItsName) {
   EXPECT_CONTAINS(said("accuracy --quick"), "--record FILE is missing");
 }
 
+TEST_F(Bench, NamesTheProgramThatAnExperimentNeeds) {
+  std::filesystem::copy_file(DESMO_BENCH, file("desmo_bench"));
+  const Ended alone = run(file("desmo_bench") + " extremes --quick --record /dev/null");
+  EXPECT_EQ(alone.code, 74);
+  EXPECT_CONTAINS(alone.text, "/desmo_bench_all cannot be started; bench/run builds it");
+}
+
 TEST_F(Bench, PrintsItsHelpWithoutArguments) {
   EXPECT_EQ(run_bench(""), 0);
   EXPECT_CONTAINS(said(""), "\n  paper ");
