@@ -89,6 +89,9 @@ TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
   CaseCandidate candidate(measured_case(find_case("truck_suspension"), 114, o),
                           {parse_id("group_symbolic_klu")}, o);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/group_symbolic_klu");
+  EXPECT_FALSE(candidate.time_afresh());
+  candidate.add_sample(1);
+  EXPECT_FALSE(candidate.is_timed());  // it is not verified yet
   candidate.verify();
   const auto sum = [](const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -111,22 +114,6 @@ TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
   }
   EXPECT_GE(max_share, 0.95);
   EXPECT_EQ(windows.samples().size(), static_cast<std::size_t>(taken) - 1);
-}
-
-TEST(Candidates, HaveNoSamplesBeforeTheyAreVerified) {
-  CaseCandidate candidate(measured_case(find_case("four_bar"), 24, {}),
-                          {parse_id("group_automatic_klu")}, {});
-  EXPECT_FALSE(candidate.time_afresh());
-  candidate.add_sample(1);
-  EXPECT_FALSE(candidate.is_timed());
-}
-
-TEST(Candidates, SayWhyDenseGlobalSolvesAreNotRun) {
-  Options o;
-  const CaseCandidate candidate(measured_case(find_case("four_bar"), 558, o),
-                                {parse_id("global_automatic_lapack")}, o);
-  EXPECT_TRUE(candidate.is_not_run());
-  EXPECT_NE(candidate.message().find("O(n^3)"), std::string::npos);
 }
 
 TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
