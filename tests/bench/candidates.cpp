@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -15,7 +14,6 @@
 #include <vector>
 
 #include "bench/experiments/paper/case_candidate.h"
-#include "bench/experiments/paper/measurement.h"
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/request.h"
 #include "bench/kit/problem.h"
@@ -162,24 +160,6 @@ TEST(Candidates, AreNotTimedWithoutTheGeneratedCodeTheirIdPromises) {
 
 TEST(Problems, CountWhatMoves) {
   EXPECT_EQ(moving_unknowns(make_model(make_scene(find_case("truck_suspension"), 225))), 218);
-}
-
-TEST(ParallelCandidates, OfSeveralThreadsAreTimedByTheWallClock) {
-  Options options;
-  options.duration = 10;
-  CaseCandidate candidate(measured_case(find_case("truck_suspension"), 225, options),
-                          {parse_id("group_symbolic_explicit/segments:4/threads:2")}, options);
-  candidate.verify();
-  ASSERT_TRUE(candidate.is_verified()) << candidate.message();
-  EXPECT_EQ(candidate.clock(), Clock::wall);
-  const std::optional<double> seconds = candidate.time_afresh();
-  ASSERT_TRUE(seconds) << candidate.message();
-  EXPECT_GT(*seconds, 0);
-  candidate.add_sample(*seconds);
-  const std::string record = lists_of({&candidate}).dump();
-  EXPECT_NE(record.find("\"threads\":2"), std::string::npos);
-  EXPECT_NE(record.find("\"time\":{\"clock\":\"wall\","), std::string::npos);
-  EXPECT_EQ(record.find("\"windows\""), std::string::npos);
 }
 
 /// What several threads are compared with: the same on one, by the same clock, under its own name.

@@ -1,5 +1,6 @@
 // desmo_bench as a program: experiments, exit codes, records, settings.
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/started.h"
@@ -144,9 +145,16 @@ TEST_F(Bench, RecordsOfAllKindsAreReadByTheReport) {
                 "(/request:outputs)?$|group_symbolic_explicit/guess:adams8/segments:4/.*(threads|"
                 "clock))'"),
       0);
-  for (const char* part : {"\"peers\": [", "\"requests\": [", "\"clock\":\"wall\"",
-                           "\"clock\":\"cpu\"", "/clock:wall\""})
-    EXPECT_CONTAINS(text_of(record), part);
+  const std::string text = text_of(record);
+  for (const char* part :
+       {"\"peers\": [", "\"requests\": [", "\"threads\":2", "\"clock\":\"cpu\"", "/clock:wall\""})
+    EXPECT_CONTAINS(text, part);
+  nlohmann::json written = nlohmann::json::parse(text);
+  for (auto& candidate : written["paper"]["candidates"]) {
+    const bool by_wall_clock = candidate["id"].get<std::string>().find("/segments:4/") != text.npos;
+    EXPECT_EQ(candidate["time"]["clock"], by_wall_clock ? "wall" : "cpu") << candidate["id"];
+    EXPECT_NE(candidate["time"].contains("windows"), by_wall_clock) << candidate["id"];
+  }
   const Ended report = run(DESMO_REPORT " tables " + record + " --all");
   EXPECT_EQ(report.code, 0);
   EXPECT_CONTAINS(report.text, "What a request costs");
