@@ -1,6 +1,8 @@
 // desmo_bench [EXPERIMENT] [OPTION...]: runs an experiment, the paper's where there are options but
 // no name. Without arguments it lists the experiments.
 
+#include <unistd.h>
+
 #include <exception>
 #include <iostream>
 #include <regex>
@@ -20,9 +22,18 @@ namespace {
 
 using namespace desmo::bench;
 
+using RunFunction = ExitCode(const CommandLine&);
+
+// These need more generated code than that of the cases. desmo_bench_all alone has it.
+#ifdef DESMO_ALL_EXPERIMENTS
+constexpr RunFunction *run_modelling = desmo::modelling::run, *run_extremes = desmo::extremes::run;
+#else
+constexpr RunFunction *run_modelling = nullptr, *run_extremes = nullptr;
+#endif
+
 struct Experiment {
   std::string_view name, help;
-  ExitCode (*run)(const CommandLine&);
+  RunFunction* run;  ///< null: desmo_bench_all has it
 };
 
 /// The table of experiments, the paper's first.
@@ -31,9 +42,9 @@ constexpr Experiment all_experiments[] = {
      desmo::paper::run},
     {"accuracy", "Time against error of formulations and their settings", desmo::accuracy::run},
     {"size", "How time grows with the size of a mechanism", desmo::size::run},
-    {"modelling", "The paper's comparison in each kind of coordinates", desmo::modelling::run},
+    {"modelling", "The paper's comparison in each kind of coordinates", run_modelling},
     {"instructions", "Instructions a step, counted by callgrind", desmo::instructions::run},
-    {"extremes", "Every formulation where most go wrong", desmo::extremes::run},
+    {"extremes", "Every formulation where most go wrong", run_extremes},
 };
 
 void print_experiments() {
@@ -48,6 +59,13 @@ void print_experiments() {
                "\nversion this is. With options and no experiment it is the paper's.\n\n";
 }
 
+/// Goes on as desmo_bench_all. Throws std::runtime_error where that is not built.
+[[noreturn]] void become_desmo_bench_all(char** argv) {
+  const std::string program = beside_this_program("desmo_bench_all");
+  ::execv(program.c_str(), argv);
+  throw std::runtime_error(program + " cannot be started; bench/run builds it");
+}
+
 ExitCode run(int argc, char** argv) {
   const std::string_view first = argc > 1 ? argv[1] : "";
   if (first == "--version") {
@@ -59,6 +77,7 @@ ExitCode run(int argc, char** argv) {
   if (argc < 2) return success;
   const Experiment& experiment =
       has_name ? desmo::entry_named(first, all_experiments, "experiment") : all_experiments[0];
+  if (!experiment.run) become_desmo_bench_all(argv);
   keep_freed_memory();
   desmo::set_blas_threads(1);  // Clock::cpu counts this thread alone
   return experiment.run({std::string(experiment.name),

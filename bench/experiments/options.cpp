@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
@@ -40,6 +41,10 @@ bool read(CLI::App& parser, const std::vector<std::string>& arguments) {
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());
   }
+}
+
+std::string beside_this_program(const std::string& name) {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
 }
 
 }  // namespace desmo::bench

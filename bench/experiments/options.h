@@ -46,6 +46,9 @@ std::string refuse_not_positive(const std::string& text);
 /// unknown.
 bool read(CLI::App& parser, const std::vector<std::string>& arguments);
 
+/// Returns the path of another program of bench/, in the folder of this one.
+std::string beside_this_program(const std::string& name);
+
 /// Begins the record of an experiment. Throws what RecordWriter throws.
 inline RecordWriter begin_record(const CommonOptions& options, const CommandLine& line) {
   return {options.record, line.text, line.experiment};

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -15,7 +14,6 @@
 #include <vector>
 
 #include "bench/experiments/paper/case_candidate.h"
-#include "bench/experiments/paper/measurement.h"
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/request.h"
 #include "bench/kit/problem.h"
@@ -89,6 +87,9 @@ TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
   CaseCandidate candidate(measured_case(find_case("truck_suspension"), 114, o),
                           {parse_id("group_symbolic_klu")}, o);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/group_symbolic_klu");
+  EXPECT_FALSE(candidate.time_afresh());
+  candidate.add_sample(1);
+  EXPECT_FALSE(candidate.is_timed());  // it is not verified yet
   candidate.verify();
   const auto sum = [](const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -111,22 +112,6 @@ TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
   }
   EXPECT_GE(max_share, 0.95);
   EXPECT_EQ(windows.samples().size(), static_cast<std::size_t>(taken) - 1);
-}
-
-TEST(Candidates, HaveNoSamplesBeforeTheyAreVerified) {
-  CaseCandidate candidate(measured_case(find_case("four_bar"), 24, {}),
-                          {parse_id("group_automatic_klu")}, {});
-  EXPECT_FALSE(candidate.time_afresh());
-  candidate.add_sample(1);
-  EXPECT_FALSE(candidate.is_timed());
-}
-
-TEST(Candidates, SayWhyDenseGlobalSolvesAreNotRun) {
-  Options o;
-  const CaseCandidate candidate(measured_case(find_case("four_bar"), 558, o),
-                                {parse_id("global_automatic_lapack")}, o);
-  EXPECT_TRUE(candidate.is_not_run());
-  EXPECT_NE(candidate.message().find("O(n^3)"), std::string::npos);
 }
 
 TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
@@ -175,24 +160,6 @@ TEST(Candidates, AreNotTimedWithoutTheGeneratedCodeTheirIdPromises) {
 
 TEST(Problems, CountWhatMoves) {
   EXPECT_EQ(moving_unknowns(make_model(make_scene(find_case("truck_suspension"), 225))), 218);
-}
-
-TEST(ParallelCandidates, OfSeveralThreadsAreTimedByTheWallClock) {
-  Options options;
-  options.duration = 10;
-  CaseCandidate candidate(measured_case(find_case("truck_suspension"), 225, options),
-                          {parse_id("group_symbolic_explicit/segments:4/threads:2")}, options);
-  candidate.verify();
-  ASSERT_TRUE(candidate.is_verified()) << candidate.message();
-  EXPECT_EQ(candidate.clock(), Clock::wall);
-  const std::optional<double> seconds = candidate.time_afresh();
-  ASSERT_TRUE(seconds) << candidate.message();
-  EXPECT_GT(*seconds, 0);
-  candidate.add_sample(*seconds);
-  const std::string record = lists_of({&candidate}).dump();
-  EXPECT_NE(record.find("\"threads\":2"), std::string::npos);
-  EXPECT_NE(record.find("\"time\":{\"clock\":\"wall\","), std::string::npos);
-  EXPECT_EQ(record.find("\"windows\""), std::string::npos);
 }
 
 /// What several threads are compared with: the same on one, by the same clock, under its own name.

@@ -3,7 +3,6 @@
 #include "bench/kit/process/own_process.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -23,16 +22,6 @@ std::string message_of(const std::function<Json()>& work) {
 TEST(OwnProcess, GivesBackWhatItMadeToTheLastDigit) {
   const Json made{{"seconds", {0.1, 1.0 / 3, 2e-300}}, {"text", std::string(1 << 20, 'x')}};
   EXPECT_EQ(in_own_process("truck/558", [&] { return made; }), made);
-}
-
-TEST(OwnProcess, LeavesNoTraceInThisOne) {
-  int changed = 0;
-  const Json process = in_own_process("truck/558", [&] {
-    changed = 1;
-    return Json(getpid());
-  });
-  EXPECT_EQ(changed, 0);
-  EXPECT_NE(process, getpid());
 }
 
 TEST(OwnProcess, ThatEndsOtherwiseIsNamed) {

@@ -15,8 +15,10 @@
 namespace desmo::paper::peer_candidates_test {
 namespace {
 
-/// Tells of a mechanism every second coordinate, as a formulation finds it.
-class HalfOfOurs : public Peer {
+/// Tells of a mechanism every second coordinate, as a formulation finds it. After each step,
+/// `spoil` gets its answer.
+template <auto spoil>
+class HalfOfOurs final : public Peer {
  public:
   explicit HalfOfOurs(const Model& m)
       : formulation_(make_formulation(find_variant("group_symbolic_inlined"), m)) {
@@ -29,6 +31,7 @@ class HalfOfOurs : public Peer {
   void step(double t) override {
     iterations_ += formulation_->step(t).iterations;
     take();
+    spoil(t, answer_);
   }
 
  private:
@@ -43,43 +46,33 @@ class HalfOfOurs : public Peer {
   std::unique_ptr<Formulation> formulation_;
 };
 
-class WrongInAcceleration final : public HalfOfOurs {
- public:
-  using HalfOfOurs::HalfOfOurs;
-  void step(double t) override {
-    HalfOfOurs::step(t);
-    answer_.qdd.back() += 2e-7;
-  }
-};
-
-class FailsAfterAWhile final : public HalfOfOurs {
- public:
-  using HalfOfOurs::HalfOfOurs;
-  void step(double t) override {
-    if (t > 0.3) throw std::runtime_error("lost its way");
-    HalfOfOurs::step(t);
-  }
-};
-
-template <class Kind>
-PeerDefinition definition() {
-  return {"half", "ours", [] { return std::string("1.0"); }, "by a formulation",
-          [](const Scene&, const Model& m) -> std::unique_ptr<Peer> {
-            return std::make_unique<Kind>(m);
-          }};
+void spoil_nothing(double, Peer::Answer&) {}
+void make_acceleration_wrong(double, Peer::Answer& answer) { answer.qdd.back() += 2e-7; }
+void fail_after_a_while(double t, Peer::Answer&) {
+  if (t > 0.3) throw std::runtime_error("lost its way");
 }
 
-struct PeerCells : testing::Test {
-  PeerCells() { options.duration = 1; }
+template <auto spoil>
+const PeerDefinition half{"half", "ours", [] { return std::string("1.0"); }, "by a formulation",
+                          [](const Scene&, const Model& m) -> std::unique_ptr<Peer> {
+                            return std::make_unique<HalfOfOurs<spoil>>(m);
+                          }};
+
+struct PeerCandidates : testing::Test {
+  PeerCandidates() { options.duration = 1; }
+  std::unique_ptr<PeerCandidate> verified(const char* name, const PeerDefinition& peer) const {
+    auto candidate = std::make_unique<PeerCandidate>(measured_case(find_case(name), 114, options),
+                                                     peer, options);
+    candidate->verify();
+    return candidate;
+  }
   Options options;
 };
 
-TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
-  const PeerDefinition half = definition<HalfOfOurs>();
-  PeerCandidate candidate(measured_case(find_case("truck_suspension"), 114, options), half,
-                          options);
+TEST_F(PeerCandidates, AreVerifiedInWhatTheyFind) {
+  const auto right = verified("truck_suspension", half<spoil_nothing>);
+  PeerCandidate& candidate = *right;
   EXPECT_EQ(candidate.name(), "truck_suspension/114/peer:half");
-  candidate.verify();
   ASSERT_TRUE(candidate.is_verified()) << candidate.message();
   EXPECT_EQ(candidate.verifying_run().errors.instants, 51);
   EXPECT_GT(candidate.verifying_run().errors.position, 0);
@@ -88,34 +81,23 @@ TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
   EXPECT_TRUE(candidate.time_afresh()) << candidate.message();
 }
 
-TEST_F(PeerCells, FailWithAWrongAnswer) {
-  const PeerDefinition wrong = definition<WrongInAcceleration>();
-  PeerCandidate candidate(measured_case(find_case("truck_suspension"), 114, options), wrong,
-                          options);
-  candidate.verify();
-  EXPECT_TRUE(candidate.is_failed());
-  EXPECT_NE(candidate.message().find("acceleration"), std::string::npos) << candidate.message();
+TEST_F(PeerCandidates, FailWithAWrongAnswerOrTheLibrarysOwnWords) {
+  const auto wrong = verified("truck_suspension", half<make_acceleration_wrong>);
+  EXPECT_TRUE(wrong->is_failed());
+  EXPECT_TRUE(wrong->message().starts_with("differs from the reference")) << wrong->message();
+  const auto lost = verified("four_bar", half<fail_after_a_while>);
+  EXPECT_TRUE(lost->is_failed());
+  EXPECT_EQ(lost->message(), "lost its way");
 }
 
-TEST_F(PeerCells, FailWithTheLibrarysOwnWords) {
-  const PeerDefinition lost = definition<FailsAfterAWhile>();
-  PeerCandidate candidate(measured_case(find_case("four_bar"), 114, options), lost, options);
-  candidate.verify();
-  EXPECT_TRUE(candidate.is_failed());
-  EXPECT_EQ(candidate.message(), "lost its way");
-}
-
-TEST_F(PeerCells, AreLeftOutWhenTheyTakeTooLong) {
+TEST_F(PeerCandidates, AreLeftOutWhenTheyTakeTooLong) {
   options.peer_limit = 1e-9;
-  const PeerDefinition half = definition<HalfOfOurs>();
-  PeerCandidate candidate(measured_case(find_case("four_bar"), 114, options), half, options);
-  candidate.verify();
-  EXPECT_TRUE(candidate.is_not_run());
-  EXPECT_NE(candidate.message().find("the whole motion would take"), std::string::npos)
-      << candidate.message();
+  const auto slow = verified("four_bar", half<spoil_nothing>);
+  EXPECT_TRUE(slow->is_not_run());
+  EXPECT_TRUE(slow->message().starts_with("the whole motion would take")) << slow->message();
 }
 
-TEST_F(PeerCells, StandBesideFormulationsWithTheirGuess) {
+TEST_F(PeerCandidates, StandBesideFormulationsWithTheirGuess) {
   const auto all_peers = make_peer_candidates(options);
   const auto with_peers = make_candidates_for_peers(options);
   EXPECT_EQ(all_peers.size(), peers().size() * 11);  // five sizes and the extra one of a case

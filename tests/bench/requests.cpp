@@ -10,7 +10,6 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/request.h"
 #include "bench/kit/verification.h"
-#include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
 #include "formulations/id.h"
@@ -80,17 +79,6 @@ TEST_F(Requests, FailWhereSomethingNeededIsLeftOut) {
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_TRUE(candidate.message().starts_with("differs from the reference")) << candidate.message();
   EXPECT_FALSE(candidate.is_timed());
-}
-
-TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
-  Scene scene = truck_suspension(1);
-  scene.request = {{RequestedEntity::Kind::point, 0, Level::position}};
-  scene.motions.front() = HarmonicSum{5, {}};  // out of the axle's reach
-  RequestCandidate candidate(std::make_shared<const PlannedRequest>("far", scene, options),
-                             parse_id("global_automatic_klu"));
-  candidate.verify();
-  EXPECT_TRUE(candidate.is_failed());
-  EXPECT_NE(candidate.message(), "");
 }
 
 }  // namespace

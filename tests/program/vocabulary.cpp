@@ -21,32 +21,27 @@ namespace fs = std::filesystem;
 
 const fs::path source_dir = DESMO_SOURCE_DIR;
 
-using Words = std::vector<std::string>;
-
-/// Returns the components of an identifier in lower case: takeRooms2, take_rooms_ → take, rooms.
-Words components(const std::string& identifier) {
-  Words words;
-  char before = '_';
-  for (const char c : identifier) {
-    if (std::isalpha(static_cast<unsigned char>(c))) {
-      const bool starts = !std::isalpha(static_cast<unsigned char>(before)) ||
-                          (std::isupper(static_cast<unsigned char>(c)) &&
-                           std::islower(static_cast<unsigned char>(before)));
-      if (starts) words.emplace_back();
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
+/// Returns the words of an identifier in lower case: takeRooms2, take_rooms_ → "_take_rooms_".
+std::string words_of(const std::string& identifier) {
+  std::string words = "_";
+  unsigned char before = '_';
+  for (const unsigned char c : identifier) {
+    const bool is_first = std::isupper(c) && std::islower(before);
+    if (words.back() != '_' && (is_first || !std::isalpha(c))) words += '_';
+    if (std::isalpha(c)) words += static_cast<char>(std::tolower(c));
     before = c;
   }
-  return words;
+  return words.back() == '_' ? words : words + '_';
 }
 
 struct Entry {
   std::string kind, word, instead;
 
-  bool holds_of(const std::string& identifier, const Words& words) const {
+  bool holds_of(const std::string& identifier, const std::string& words) const {
     if (kind == "whole") return identifier == word;
-    if (kind == "first") return words.size() > 1 && words.front() == word;
-    return !std::ranges::search(words, components(word)).empty();
+    const std::string sought = words_of(word);
+    if (kind == "first") return words.starts_with(sought) && words != sought;
+    return words.find(sought) != words.npos;
   }
 };
 
@@ -74,8 +69,7 @@ std::set<std::string> identifiers(const std::string& text) {
       word += c;
       continue;
     }
-    if (!word.empty() && !std::isdigit(static_cast<unsigned char>(word.front())))
-      found.insert(word);
+    if (!word.empty() && (word.front() < '0' || word.front() > '9')) found.insert(word);
     word.clear();
     if (text.compare(i, 2, "//") == 0) {
       i = std::min(text.find('\n', i), text.size());
@@ -87,8 +81,8 @@ std::set<std::string> identifiers(const std::string& text) {
 }
 
 TEST(Vocabulary, SplitsIdentifiersAndPassesOverTextAndComments) {
-  EXPECT_EQ(components("RoomPool2::x"), (Words{"room", "pool", "x"}));
-  EXPECT_EQ(components("take_rooms_"), (Words{"take", "rooms"}));
+  EXPECT_EQ(words_of("RoomPool2::x"), "_room_pool_x_");
+  EXPECT_EQ(words_of("take_rooms_"), "_take_rooms_");
   EXPECT_EQ(identifiers("a = b1; // c\nf(\"d \\\" e\", 2);"),
             (std::set<std::string>{"a", "b1", "f"}));
 }
@@ -101,7 +95,7 @@ TEST(Vocabulary, NoIdentifierHasAWordOfTheList) {
       const std::string extension = file.path().extension().string();
       if (extension != ".h" && extension != ".cpp") continue;
       for (const std::string& identifier : identifiers(text_of(file.path()))) {
-        const Words words = components(identifier);
+        const std::string words = words_of(identifier);
         for (const Entry& entry : list)
           EXPECT_FALSE(entry.holds_of(identifier, words))
               << fs::relative(file.path(), source_dir) << ": " << identifier << " has "

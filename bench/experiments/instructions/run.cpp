@@ -2,7 +2,6 @@
 // not.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
@@ -25,11 +24,6 @@ constexpr int quick_coordinates = 114;
 struct Options : bench::CommonOptions {
   int coordinates = 0;
 };
-
-/// Returns the path of desmo_steps, in the folder of this program.
-std::string desmo_steps() {
-  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "desmo_steps").string();
-}
 
 void print(const std::vector<StepCount>& counts) {
   std::printf("%-18s %-68s %12s\n", "case", "formulation", "instructions");
@@ -69,7 +63,7 @@ void measure(const Options& options, const bench::CommandLine& line) {
   if (tool.empty()) throw std::runtime_error("valgrind, which counts, cannot be run");
   std::optional<bench::RecordWriter> recording;
   if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
-  count(counts, desmo_steps());
+  count(counts, bench::beside_this_program("desmo_steps"));
   print(counts);
   if (recording) recording->write(cases().front().with_units(1).grid, counts_json(counts, tool));
 }

@@ -22,11 +22,7 @@ namespace {
 
 constexpr int compared_instants = 11;
 
-Plan whole(Model model) {
-  Plan plan;
-  plan.model = std::move(model);
-  return plan;
-}
+Plan whole(Model model) { return {std::move(model), {}, {}, {}}; }
 
 /// Adds kernels that the program is linked with to a table, which does not own them.
 void add(KernelTable& table, const KernelLibrary& library) {

@@ -103,14 +103,15 @@ int worth_repeating(const Candidate& candidate) {
   return static_cast<int>(std::clamp<double>(needed, 3, 20));
 }
 
-}  // namespace
-
+/// Returns what a record says of candidates, as an object of arrays.
 Json lists_of(const std::vector<Candidate*>& candidates) {
   Json lists;
   for (const char* list : {"candidates", "profiles", "requests"}) lists[list] = Json::array();
   for (const Candidate* candidate : candidates) candidate->add_to(lists);
   return lists;
 }
+
+}  // namespace
 
 Json measure(const std::vector<Candidate*>& all, const Console& console, Progress& progress) {
   const auto complain = [&](const Candidate& candidate) {

@@ -23,12 +23,9 @@ struct Console {
 
 /// Verifies and profiles all candidates, then lets Google Benchmark time the verified ones in its
 /// own order. Its flags must have been read. Says on standard error what is wrong. Returns
-/// {"failed": whether any candidate failed, "lists": what a record says (lists_of)}.
+/// {"failed": whether any candidate failed, "lists": what a results record
+/// (results/record.schema.json) says of them, an object of arrays}.
 nlohmann::ordered_json measure(const std::vector<bench::Candidate*>& all, const Console& console,
                                bench::Progress& progress);
-
-/// Returns what a results record (results/record.schema.json) says of candidates, as an object of
-/// arrays.
-nlohmann::ordered_json lists_of(const std::vector<bench::Candidate*>& candidates);
 
 }  // namespace desmo::paper
