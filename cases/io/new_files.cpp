@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <list>
@@ -18,27 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns at most `most` bytes from a name's beginning, and no part of a character in UTF-8.
-std::string beginning(const std::string& name, std::size_t most) {
-  std::size_t end = std::min(name.size(), most);
-  const auto continues = [&](std::size_t i) {
-    return (static_cast<unsigned char>(name[i]) & 0xC0) == 0x80;
-  };
-  while (end > 0 && end < name.size() && continues(end)) --end;
-  return name.substr(0, end);
-}
-
 /// Returns a random file name in the target's folder, so that the file can be renamed to the
-/// target. A file of that name is not expected; opening would then fail. The name begins as that of
-/// the target, and is never too long where that is not: file systems allow 255 bytes, and eCryptfs
-/// 143.
+/// target. A file of that name is not expected; opening would then fail. The name is as short for
+/// every target, since file systems limit names.
 std::string name_beside(const std::string& target) {
-  constexpr std::size_t max_begin = 100;  // bytes of the target's name (≤); at most 23 are added
   std::random_device random;
-  const fs::path path(target);
-  return (path.parent_path() / ("." + beginning(path.filename().string(), max_begin) + "." +
-                                std::to_string(random()) + ".unfinished"))
-      .string();
+  const std::string name = ".desmo." + std::to_string(random()) + ".unfinished";
+  return (fs::path(target).parent_path() / name).string();
 }
 
 /// Returns the path that links lead to, whether or not it exists; "" after more than 40 links.
