@@ -1,5 +1,7 @@
 #include "bench/cli/view/page_data.h"
 
+#include <openssl/evp.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -25,20 +27,12 @@ constexpr const char* flag_names[] = {"unproven", "misfit", "failed", "crossing"
 
 /// Returns numbers as base64, the lowest byte of each first.
 std::string base64(const std::vector<float>& numbers) {
-  static constexpr char letters[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  std::uint32_t bits = 0;
-  int waiting = 0;  // number of low bits of `bits` not yet written; 6 make a letter
-  const auto add = [&](std::uint32_t byte) {
-    bits = bits << 8 | byte;
-    for (waiting += 8; waiting >= 6; waiting -= 6) text += letters[bits >> (waiting - 6) & 63];
-  };
-  for (const float number : numbers)
-    for (int shift = 0; shift < 32; shift += 8)
-      add(std::bit_cast<std::uint32_t>(number) >> shift & 255);
-  if (waiting > 0) text += letters[bits << (6 - waiting) & 63];
-  return text.append((4 - text.size() % 4) % 4, '=');
+  static_assert(std::endian::native == std::endian::little);
+  const std::size_t bytes = numbers.size() * sizeof(float);
+  std::vector<unsigned char> text((bytes + 2) / 3 * 4 + 1);  // ends with a 0
+  const int size = EVP_EncodeBlock(
+      text.data(), reinterpret_cast<const unsigned char*>(numbers.data()), static_cast<int>(bytes));
+  return {text.begin(), text.begin() + size};
 }
 
 /// Writes the JSON. Appends the numbers of a column, once, when the JSON first refers to it.
