@@ -38,15 +38,11 @@ std::string base64(const std::vector<float>& numbers) {
 /// Writes the JSON. Appends the numbers of a column, once, when the JSON first refers to it.
 class Writer {
  public:
-  Writer(const ShownMotion& motion, int every)
-      : scene_(motion.scene), m_(motion.model), motion_(motion) {
-    const auto& instants = motion.recording.instants();
-    stride_ = motion.recording.stride() * every;
-    for (std::size_t i = 0; i < instants.size(); ++i) {
-      const bool before_gap = i + 1 == instants.size() ||
-                              instants[i + 1].index > instants[i].index + motion.recording.stride();
-      if (i % static_cast<std::size_t>(every) == 0 || before_gap) shown_.push_back(&instants[i]);
-    }
+  explicit Writer(const ShownMotion& motion)
+      : scene_(motion.scene),
+        m_(motion.model),
+        motion_(motion),
+        shown_(motion.recording.instants()) {
     const std::vector<bool> carried = carried_points(scene_.mechanism);
     for (std::size_t p = 0; p < carried.size(); ++p)
       if (carried[p]) points_.push_back(m_.find(scene_.mechanism.points[p].name));
@@ -73,7 +69,7 @@ class Writer {
   template <class Value>
   int pack(Json column, const Value& value) {
     std::vector<double> values;
-    for (const RecordedInstant* i : shown_) values.push_back(value(*i));
+    for (const RecordedInstant& i : shown_) values.push_back(value(i));
     double low = INFINITY, high = -INFINITY;
     for (const double x : values)
       if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
@@ -128,9 +124,9 @@ class Writer {
                      {"interval", scene_.grid.interval()},
                      {"instants", scene_.grid.instants},
                      {"solved", motion_.recording.solved()},
-                     {"stride", stride_}};
+                     {"stride", motion_.recording.stride()}};
     json_["shown"] = shown_.size();
-    for (const RecordedInstant* i : shown_) json_["index"].push_back(i->index);
+    for (const RecordedInstant& i : shown_) json_["index"].push_back(i.index);
     for (const Group& g : m_.groups)
       json_["groups"].push_back({{"name", g.name}, {"bodies", g.bodies}, {"constant", g.constant}});
     for (const JointForm& form : joint_forms())
@@ -223,9 +219,8 @@ class Writer {
   const Scene& scene_;
   const Model& m_;
   const ShownMotion& motion_;
-  std::vector<const RecordedInstant*> shown_;
+  const std::vector<RecordedInstant>& shown_;
   std::vector<EntityId> points_;
-  int stride_;
   std::map<Key, std::size_t> packed_;  // index in columns_ of each packed column
   Json json_, columns_ = Json::array();
   std::vector<float> numbers_;
@@ -233,6 +228,6 @@ class Writer {
 
 }  // namespace
 
-std::string page_data(const ShownMotion& motion, int every) { return Writer(motion, every)(); }
+std::string page_data(const ShownMotion& motion) { return Writer(motion)(); }
 
 }  // namespace desmo::cli
