@@ -1,8 +1,5 @@
 // desmo solve: the numbers.
 
-#include <cmath>
-#include <numbers>
-
 #include "tests/cli/program.h"
 
 namespace desmo::solving_test {
@@ -78,27 +75,6 @@ TEST_F(Cli, ExplainsWhatIsNotSolved) {
               "dropped: ", "drivers not needed: axle2/zL, axle2/zR");
   EXPECT_EQ(lines().size(), 3u);
   expect_said(0, "solve slider_crank --explain --quiet", "solved: 8 of 8 unknowns, 1 of 1 driver");
-}
-
-/// At 10 rpm a turn takes six seconds; before and after it all is as it is drawn.
-TEST_F(Cli, TurnsASixBarFromWhereItIsDrawn) {
-  write("scene.json", R"({"format": "desmo-scene", "version": 2,
-    "mechanism": {"library": "watt_six_bar"},
-    "motion": {"theta": {"type": "speed", "value": 10, "unit": "rpm"}},
-    "time": {"end": 6, "step": 0.1}, "request": [{"points": ["A", "P"]}]})");
-  for (const char* how : {"", " --formulation group_automatic_klu", " --check mechanism"}) {
-    ASSERT_EQ(lines_of("solve scene.json --quiet --strict" + std::string(how)).size(), 62u);
-    for (int i = 0; i <= 60; ++i) {
-      const std::vector<double> row = numbers(lines()[1 + i]);
-      const double angle = std::atan2(0.8, 0.6) + i * std::numbers::pi / 30;
-      EXPECT_NEAR(row[1], std::cos(angle), 4e-15) << i;
-      EXPECT_NEAR(row[2], std::sin(angle), 4e-15) << i;
-      if (i % 60 == 0) {
-        EXPECT_NEAR(row[3], 7, 1e-13) << i;
-        EXPECT_NEAR(row[4], 7, 1e-13) << i;
-      }
-    }
-  }
 }
 
 TEST_F(Cli, SaysThatADistanceIsDrawnAtZero) {
