@@ -42,12 +42,6 @@ inline std::string refuse_empty(const std::string& text) {
   return text.empty() ? "is empty; give a value or leave the option out" : "";
 }
 
-/// Returns the message that rejects NaN as an option's value, since CLI11's bounds accept it; ""
-/// accepts the text. For CLI::Option::check.
-inline std::string refuse_nan(const std::string& text) {
-  return std::isnan(std::strtod(text.c_str(), nullptr)) ? "is not a number" : "";
-}
-
 /// Returns the message that rejects an option's value that is not above 0 and finite; "" accepts
 /// it. CLI::PositiveNumber would print the largest double with all its digits. For
 /// CLI::Option::check.

@@ -1,9 +1,8 @@
 #include "bench/cli/input.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -25,17 +24,15 @@ constexpr const char* standard_input = "/dev/stdin";
 std::string read_standard_input(const std::string& source) {
   std::string text;
   std::array<char, 1 << 16> buffer;
-  for (;;) {
-    const ssize_t size = ::read(STDIN_FILENO, buffer.data(), buffer.size());
-    if (size < 0 && errno == EINTR) continue;
-    if (size < 0)
-      throw CommandError(unreadable_input, source + ": cannot be read (" + std::strerror(errno) +
-                                               "); send a scene or give a file");
-    if (size == 0) return text;
-    text.append(buffer.data(), static_cast<std::size_t>(size));
+  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), stdin)) {
+    text.append(buffer.data(), size);
     if (text.size() > max_file)
       throw CommandError(unreadable_input, source + ": is larger than 64 MiB; divide it");
   }
+  if (std::ferror(stdin))
+    throw CommandError(unreadable_input, source + ": cannot be read (" + std::strerror(errno) +
+                                             "); send a scene or give a file");
+  return text;
 }
 
 /// Returns a scene of the mechanism with its drivers at rest: a model needs some motion of the

@@ -28,11 +28,11 @@ Json mechanisms() {
     const Model m = model_mechanism(input).model;
     const Mechanism& mechanism = input.scene.mechanism;
     list.push_back({{"name", found.name},
-                    {"title", mechanism.title},
                     {"dimension", mechanism.dimension},
                     {"bodies", mechanism.bodies.size() - 1},
                     {"degrees_of_freedom", m.degrees_of_freedom()},
-                    {"coordinates", m.coordinates()}});
+                    {"coordinates", m.coordinates()},
+                    {"title", mechanism.title}});
   }
   return list;
 }
@@ -73,39 +73,31 @@ struct Section {
   const char* key;
   Json (*collect)();
   const char* title;
-  std::vector<std::string> columns;
-  const char* right;
 };
 
-const std::vector<Section>& sections() {
-  static const std::vector<Section> all{
-      {"mechanisms",
-       mechanisms,
-       "Library mechanisms (desmo show NAME, desmo inspect NAME, desmo solve NAME)",
-       {"name", "dimension", "bodies", "degrees_of_freedom", "coordinates", "title"},
-       "lrrrrl"},
-      {"cases",
-       scalable_cases,
-       "Scalable cases, written NAME:UNITS, such as truck_suspension:5; sizes of the benchmark in "
-       "coordinates",
-       {"name", "unit", "base_coordinates", "coordinates_per_unit", "sizes", "extra_sizes"},
-       "llrrll"},
-      {"formulations",
-       formulations,
-       "Formulations",
-       {"id", "partition", "equations", "algebra"},
-       "llll"}};
-  return all;
-}
+constexpr Section sections[] = {
+    {"mechanisms", mechanisms,
+     "Library mechanisms (desmo show NAME, desmo inspect NAME, desmo solve NAME)"},
+    {"cases", scalable_cases,
+     "Scalable cases, written NAME:UNITS, such as truck_suspension:5; sizes of the benchmark in "
+     "coordinates"},
+    {"formulations", formulations, "Formulations"},
+};
 
+/// Returns a table of entries that have the same keys, numbers aligned to the right.
 std::string to_text(const Section& section, const Json& entries) {
-  std::vector<std::vector<std::string>> rows{section.columns};
-  for (std::string& heading : rows.front()) std::ranges::replace(heading, '_', ' ');
+  std::vector<std::vector<std::string>> rows(1);
+  std::string right;
+  for (const auto& [key, value] : entries.front().items()) {
+    std::string& heading = rows.front().emplace_back(key);
+    std::ranges::replace(heading, '_', ' ');
+    right += value.is_number() ? 'r' : 'l';
+  }
   for (const Json& entry : entries) {
     std::vector<std::string>& row = rows.emplace_back();
-    for (const std::string& column : section.columns) row.push_back(text_of(entry[column]));
+    for (const Json& value : entry) row.push_back(text_of(value));
   }
-  return std::string(section.title) + "\n" + table(rows, section.right);
+  return std::string(section.title) + "\n" + table(rows, right);
 }
 
 void list(const ListOptions& options) {
@@ -114,7 +106,7 @@ void list(const ListOptions& options) {
   };
   Json all = Json::object();
   std::string text;
-  for (const Section& section : sections()) {
+  for (const Section& section : sections) {
     if (!is_wanted(section.key)) continue;
     all[section.key] = section.collect();
     text += (text.empty() ? "" : "\n") + to_text(section, all[section.key]);

@@ -42,8 +42,8 @@ void add_options(CLI::App& command, GenerationOptions& wanted) {
   command
       .add_option("--compile-limit", wanted.compile_limit,
                   "Seconds that a compiler may take; 60 by default")
-      ->check(refuse_nan)
-      ->check(CLI::Range(0.001, 86400.0));
+      ->check(CLI::Range(0.001, 86400.0))
+      ->check(require_positive);  // else NaN, which CLI::Range accepts, would pass
 }
 
 void add_missing_code(KernelTable& table, const Configuration& formulation, const Model& model,

@@ -84,22 +84,17 @@ Descriptor open_own(const Descriptor& around, const char* name, const fs::path& 
   return folder;
 }
 
-Descriptor open_to_read(int folder, const std::string& name) {
-  return Descriptor(::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-}
-
-/// Returns the size [bytes] of an open regular file that the user owns. Returns −1 for any other,
-/// for one with a `forbidden` permission and for one larger than max_file.
-off_t size_of(const Descriptor& file, mode_t forbidden = 0) {
+/// Returns the content of a regular file that the user owns. Returns nullopt for any other, for one
+/// with a `forbidden` permission and for one larger than max_file.
+std::optional<std::string> content_of(int folder, const std::string& name, mode_t forbidden = 0) {
+  const Descriptor file(
+      ::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
-  const bool good = file.is_open() && ::fstat(file.number(), &status) == 0 &&
-                    S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
-                    (status.st_mode & forbidden) == 0 && status.st_size <= max_file;
-  return good ? status.st_size : -1;
-}
-
-std::string read_all(const Descriptor& file, off_t size) {
-  std::string text(static_cast<std::size_t>(size), '\0');
+  if (!file.is_open() || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode) ||
+      status.st_uid != ::geteuid() || (status.st_mode & forbidden) != 0 ||
+      status.st_size > max_file)
+    return std::nullopt;
+  std::string text(static_cast<std::size_t>(status.st_size), '\0');
   std::size_t done = 0;
   while (done < text.size()) {
     const ssize_t got = ::read(file.number(), text.data() + done, text.size() - done);
@@ -148,14 +143,11 @@ Cache Cache::open() {
 }
 
 std::optional<std::string> Cache::read(const std::string& name) const {
-  const Descriptor file = open_to_read(descriptor(), name);
-  const off_t size = size_of(file, all_of_others);
-  if (size < 0) return std::nullopt;
-  std::string text = read_all(file, size);
-  if (text.size() < seal_size) return std::nullopt;
-  const std::string_view content(text.data(), text.size() - seal_size);
-  if (!text.ends_with(seal(name, content))) return std::nullopt;
-  text.resize(content.size());
+  std::optional<std::string> text = content_of(descriptor(), name, all_of_others);
+  if (!text || text->size() < seal_size) return std::nullopt;
+  const std::string_view content(text->data(), text->size() - seal_size);
+  if (!text->ends_with(seal(name, content))) return std::nullopt;
+  text->resize(content.size());
   return text;
 }
 
@@ -174,10 +166,9 @@ void Cache::remove(const std::string& name) const { ::unlinkat(descriptor(), nam
 std::string Cache::content_made_by(const std::function<void(const std::string& name)>& make) const {
   const Temporary temporary{descriptor(), new_name()};
   make(temporary.name);
-  const Descriptor file(open_to_read(descriptor(), temporary.name));
-  const off_t size = size_of(file);
-  if (size < 0) refuse(folder_, "has not got what was to be made there");
-  return read_all(file, size);
+  std::optional<std::string> content = content_of(descriptor(), temporary.name);
+  if (!content) refuse(folder_, "has not got what was to be made there");
+  return *std::move(content);
 }
 
 void Cache::remove_old() const {

@@ -29,10 +29,6 @@ constexpr std::size_t max_output = std::size_t{1} << 16;  // length of ProgramEn
 std::atomic<pid_t> running{0};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
-[[noreturn]] void fail(int error, const std::string& what) {
-  throw std::system_error(error, std::generic_category(), what);
-}
-
 std::vector<std::string> environment() {
   std::vector<std::string> variables{"LC_ALL=C"};
   for (const char* name : {"PATH", "HOME", "TMPDIR"})
@@ -80,7 +76,7 @@ pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
   ::pthread_sigmask(SIG_SETMASK, &old_mask, nullptr);
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) fail(error, arguments[0]);
+  if (error != 0) throw std::system_error(error, std::generic_category(), arguments[0]);
   return child;
 }
 
@@ -125,16 +121,15 @@ bool wait_until(pid_t child, Clock::time_point end, int& status) {
 
 ProgramEnd run_program(const std::vector<std::string>& arguments, int folder,
                        std::chrono::milliseconds time) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "pipe");
-  Descriptor read_end(ends[0]), write_end(ends[1]);
+  Pipe pipe;
   const Clock::time_point end = Clock::now() + time;
-  const pid_t child = start(arguments, folder, write_end.number());
-  write_end.close();
+  const pid_t child = start(arguments, folder, pipe.write_end.number());
+  pipe.write_end.close();
 
   ProgramEnd ending;
   int status = 0;
-  ending.late = !read_all(read_end.number(), end, ending.output) || !wait_until(child, end, status);
+  ending.late =
+      !read_all(pipe.read_end.number(), end, ending.output) || !wait_until(child, end, status);
   if (ending.late) {
     ::kill(-child, SIGKILL);
     wait_for_end(child, status);

@@ -45,14 +45,6 @@ TEST_F(Cli, SaysHowRightTheNumbersAre) {
   EXPECT_EQ(err_, "");
 }
 
-TEST_F(Cli, DeliversFlaggedRowsAndSaysSo) {
-  write("between.json", goes_between);
-  EXPECT_EQ(lines_of("solve between.json").size(), 3u);
-  EXPECT_TRUE(says("accuracy: 1 of 2 rows proven; ")) << err_;
-  EXPECT_TRUE(says(flagged_in_between)) << err_;
-  EXPECT_TRUE(says("the motion cannot be followed past a singular position")) << err_;
-}
-
 TEST_F(Cli, SaysOfARunThatFailsWhatWasFlaggedBefore) {
   write("fails.json", fails_then);
   for (const char* to : {"", " -o out/motion.csv"}) {
@@ -62,8 +54,10 @@ TEST_F(Cli, SaysOfARunThatFailsWhatWasFlaggedBefore) {
   expect_said(1, "solve fails.json --quiet", flagged_in_between);  // flags are never hidden
 }
 
-TEST_F(Cli, StrictRefusesWhatIsFlagged) {
+TEST_F(Cli, DeliversWhatIsFlaggedUnlessItIsStrict) {
   write("between.json", goes_between);
+  EXPECT_EQ(lines_of("solve between.json").size(), 3u);
+  EXPECT_TRUE(says("the motion cannot be followed past a singular position")) << err_;
   expect_said(1, "solve between.json --strict -o out/motion.csv",
               "desmo: between.json: group 'SG-II' (rod, slider), t = ", " s to 1 s: ",
               "; choose a motion that avoids it, or solve without --strict");

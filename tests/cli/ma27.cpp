@@ -6,41 +6,36 @@ namespace desmo::ma27_test {
 namespace {
 
 struct WithMa27 : Cli {
-  /// Runs desmo with this file named as the library.
-  int desmo_with(const std::string& library, const std::string& arguments) {
-    return shell("DESMO_LIBCOINHSL=" + library + " " DESMO_CLI " " + arguments);
-  }
+  ~WithMa27() override { ::unsetenv("DESMO_LIBCOINHSL"); }
+  /// Names this file as the library.
+  void use(const char* library) { ::setenv("DESMO_LIBCOINHSL", library, 1); }
 };
 
 TEST_F(WithMa27, ListsAndSolves) {
-  ASSERT_EQ(desmo_with(DESMO_MA27_DOUBLE, "list formulations"), 0) << err_;
-  for (const char* id : {"global_automatic_ma27", "group_automatic_ma27", "group_symbolic_ma27"})
-    EXPECT_TRUE(prints(id));
-  EXPECT_EQ(err_, "");
   const std::string solve = "solve slider_crank --quiet --formulation global_automatic_";
   const std::vector<std::string> expected = lines_of(solve + "klu");
-  ASSERT_EQ(desmo_with(DESMO_MA27_DOUBLE, solve + "ma27"), 0) << err_;
+  use(DESMO_MA27_DOUBLE);
+  expect_printed("list formulations", "global_automatic_ma27", "group_automatic_ma27",
+                 "group_symbolic_ma27");
+  EXPECT_EQ(err_, "");
+  printed(solve + "ma27");
   expect_rows(expected);
 }
 
 TEST_F(WithMa27, SaysWhatLibrariesDoNotServe) {
-  const std::string solve = "solve slider_crank --formulation group_automatic_ma27/guess:linear";
   const std::pair<const char*, const char*> useless[] = {
       {"/nonexistent/libcoinhsl.so", "DESMO_LIBCOINHSL names what cannot be loaded: /nonexistent/"},
       {DESMO_MA27_INCOMPLETE, "it has no ma27bd_"}};
   for (const auto& [library, complaint] : useless) {
-    ASSERT_EQ(desmo_with(library, "list"), 0) << err_;
+    use(library);
+    expect_said(0, "list", "desmo: no formulation with ma27: ", complaint);
     EXPECT_FALSE(prints("ma27"));
-    EXPECT_TRUE(says("desmo: no formulation with ma27: ")) << err_;
-    EXPECT_TRUE(says(complaint)) << err_;
-    EXPECT_EQ(desmo_with(library, "list cases"), 0);
-    EXPECT_EQ(err_, "");
-
-    EXPECT_EQ(desmo_with(library, solve), 64);
-    EXPECT_TRUE(says("formulation 'group_automatic_ma27': ")) << err_;
-    EXPECT_TRUE(says(complaint)) << err_;
-    EXPECT_EQ(desmo_with(library, "solve slider_crank --quiet"), 0) << err_;
-    EXPECT_EQ(err_, "") << "nobody asked for it";
+    expect_said(64, "solve slider_crank --formulation group_automatic_ma27/guess:linear",
+                "formulation 'group_automatic_ma27': ", complaint);
+    for (const char* not_asked_for : {"list cases", "solve slider_crank --quiet"}) {
+      printed(not_asked_for);
+      EXPECT_EQ(err_, "") << not_asked_for;
+    }
   }
 }
 

@@ -10,12 +10,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tests/replaced.h"
@@ -62,6 +64,18 @@ inline std::string driven_slider(const std::string& motion) {
   return driven_by_s(replaced(slider_crank(150, R"(, "time": {"end": 1, "step": 0.5})"),
                               R"("B": [50, 0], "C": [200, 0])", R"("B": [30, 40], "C": [180, 0])"),
                      R"({"distance": ["A", "C"], "along": "x"})", "mm", motion);
+}
+
+/// Returns the scene of a slider-crank that measures the distance of C, drawn at [200, 0], from a
+/// point of the ground.
+inline std::string measured_distance(const std::string& point) {
+  std::string scene = slider_crank(150, R"(, "time": {"end": 0.1, "step": 0.1})");
+  for (const auto& [old, by] : std::initializer_list<std::pair<const char*, std::string>>{
+           {R"("A": [0, 0],)", R"("A": [0, 0], "P": )" + point + ","},
+           {R"("ground": {"points": ["A"])", R"("ground": {"points": ["A", "P"])"},
+           {R"("theta": {"angle")", R"("d": {"distance": ["P", "C"]}, "theta": {"angle")"}})
+    scene = replaced(scene, old, by);
+  return scene;
 }
 
 /// A slider-crank whose rod is too short for a full turn: it locks at the crank angle asin(30/50).
@@ -152,6 +166,11 @@ class Cli : public InFolder {
     std::vector<double> result;
     for (const std::string& cell : cells(csv_line)) result.push_back(std::stod(cell));
     return result;
+  }
+  /// Returns the numbers of a row of CSV or JSON lines, its last column excepted.
+  static std::vector<double> numbers_before_last(const std::string& row) {
+    const std::size_t begin = row.front() == '[';
+    return numbers(row.substr(begin, row.rfind(',') - begin));
   }
   /// Expects the printed rows to be others up to 1e-9, relative where numbers are large.
   void expect_rows(const std::vector<std::string>& expected) const {

@@ -113,19 +113,6 @@ TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
   }
 }
 
-TEST_F(Cli, NamesAllLoopsThatLockAtOnce) {
-  const std::string scene = DESMO_SOURCE_DIR "/tests/range/scenes/delta_platform_driven.json";
-  expect_printed("range " + scene, "  down  -0.88741196746", " m: locks, known within ",
-                 "  up    -0.25980762113");
-  EXPECT_FALSE(prints("no position was found")) << out_;
-  ASSERT_EQ(desmo("range --json " + scene), 0) << err_;
-  const auto joints = Json::parse(out_)["drivers"][2]["ends"][1]["joints"];
-  EXPECT_EQ(joints.get<std::vector<std::string>>(),
-            (std::vector<std::string>{"spherical/arm1/rod1l", "spherical/arm1/rod1r",
-                                      "spherical/arm2/rod2l", "spherical/arm2/rod2r",
-                                      "spherical/arm3/rod3l", "spherical/arm3/rod3r"}));
-}
-
 /// Of positions beyond the start nothing is said.
 TEST_F(Cli, RangesSayWhichEquationsDoNotHoldAtTheStart) {
   write("flap.json", flaps(1, 4e-7));

@@ -11,16 +11,6 @@ namespace desmo {
 /// The largest size of a page [bytes].
 inline constexpr std::size_t max_page = 2'000'000;
 
-/// A bar that turns about the ground. Its points are given in its own frame.
-inline constexpr const char* framed = R"({"format": "desmo-scene", "version": 2,
-  "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "bar", "dimension": 2,
-    "points": {"O": [0, 0]}, "ground": {"points": ["O"]},
-    "bodies": {"bar": {"at": [0, 0, 0.5], "points": {"O": [0, 0], "T": [1, 0]}}},
-    "joints": [{"type": "revolute", "bodies": ["ground", "bar"], "points": ["O"]}],
-    "coordinates": {"theta": {"angle": ["O", "T"]}}, "drivers": ["theta"]},
-  "motion": {"theta": {"type": "polynomial", "coefficients": [0.5, 1]}},
-  "time": {"end": 1, "step": 0.1}})";
-
 /// A fixture whose tests are skipped where the program was built without its page.
 class View : public Cli {
  protected:

@@ -38,15 +38,11 @@ TEST_F(View, ThinsOutWhatIsTooLongAndSaysSo) {
   EXPECT_EQ(data["shown"], 5001);
 }
 
-TEST_F(View, ReplacesNoSceneThatIsRead) {
-  ASSERT_EQ(desmo("show slider_crank --scene >scene.json"), 0);
-  expect_said(64, "view scene.json -o scene.json",
-              "this is the scene, which is read; give another file");
-}
-
 TEST_F(View, LeavesNothingHalfWritten) {
   write("mechanism.json", "{\"format\": \"desmo-mechanism\", \"version\": 1}");
   expect_said(65, "view mechanism.json -o out/page.html", "mechanism.json: /format");
+  write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})"));
+  expect_said(64, "view scene.json -o scene.json", "this is the scene, which is read");
   EXPECT_EQ(desmo("view nothing -o out/page.html"), 66);
   EXPECT_EQ(desmo("view slider_crank -o nowhere/page.html"), 74);
   expect_said(65, "view four_bar:1000 -o out/page.html",

@@ -65,14 +65,6 @@ TEST_F(View, TellsColumnsOfTheSameNameApart) {
       "theta 0.500 1.000\nT.x 0.479 0.878\n");
 }
 
-TEST_F(View, ReadsBodiesWithFramesOfTheirOwn) {
-  write("framed.json", framed);
-  expect_on_page_of("framed.json",
-                    "const names = body => body.points.map(p => data.points[p].name);\n"
-                    "console.log(data.bodies.map(b => names(b).join(' ')).join('; '));\n",
-                    "O; O T\n");
-}
-
 TEST_F(View, DrawsTheDrivenAngleOfAVectorThatNoJointHas) {
   const std::string bar = R"("points": {"O": [0, 0]}, "ground": {"points": ["O"]},
     "joints": [{"type": "revolute", "bodies": ["ground", "bar"], "points": ["O"]}],

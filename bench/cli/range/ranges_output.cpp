@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -14,11 +14,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Names of the stops in JSON, in the order of RangeStop.
-constexpr std::array stop_names{"dead_point", "full_turn",   "zero_length", "other_branch",
-                                "start",      "not_reached", "none"};
+/// A way in which a range ends: its name in JSON, and what the text says of it.
+struct StopText {
+  const char *name, *text;
+};
 
-static_assert(stop_names.size() == static_cast<std::size_t>(RangeStop::none) + 1);
+/// By RangeStop. Some texts depend on the end (sentence()).
+constexpr StopText stops[] = {
+    {"dead_point", "locks, known within "},
+    {"full_turn", "turns fully"},
+    {"zero_length", "the length is zero"},
+    {"other_branch", "beyond, equations left out as dependent do not hold"},
+    {"start", "the start is a change point, where branches meet: start elsewhere"},
+    {"not_reached", "no position was found any further"},
+    {"none", "does not stop within ten times the mechanism's size"},
+};
+static_assert(std::size(stops) == static_cast<std::size_t>(RangeStop::none) + 1);
+
+const StopText& stop_of(const RangeEnd& end) { return stops[static_cast<std::size_t>(end.stop)]; }
 
 /// The value of a driver as text, and by how much it may be off.
 struct KnownValue {
@@ -52,26 +65,13 @@ std::string value_text(const NamedEnd& e, const DisplayUnit& unit) {
 }
 
 std::string sentence(const NamedEnd& e, const NamedRange& r) {
-  switch (e.end.stop) {
-    case RangeStop::dead_point:
-      return "locks, known within " +
-             rounded_up(dead_point_value(e.end, r.unit).uncertainty, r.unit);
-    case RangeStop::full_turn:
-      return e.end.turns == 1 ? "turns fully"
-                              : "comes back after two turns, on another branch after one";
-    case RangeStop::zero_length:
-      return "the length is zero";
-    case RangeStop::other_branch:
-      return "beyond, equations left out as dependent do not hold";
-    case RangeStop::start:
-      return "the start is a change point, where branches meet: start elsewhere";
-    case RangeStop::not_reached:
-      return "no position was found any further";
-    case RangeStop::none:
-      break;
-  }
-  return r.is_angle ? "does not stop, nor come back to the start in two turns"
-                    : "does not stop within ten times the mechanism's size";
+  if (e.end.stop == RangeStop::full_turn && e.end.turns != 1)
+    return "comes back after two turns, on another branch after one";
+  if (e.end.stop == RangeStop::none && r.is_angle)
+    return "does not stop, nor come back to the start in two turns";
+  const std::string text = stop_of(e.end).text;
+  if (e.end.stop != RangeStop::dead_point) return text;
+  return text + rounded_up(dead_point_value(e.end, r.unit).uncertainty, r.unit);
 }
 
 std::string detail(const std::string& label, const std::string& text) {
@@ -97,7 +97,7 @@ std::string end_text(const NamedEnd& e, const NamedRange& r, const Model& m) {
 
 Json end_json(const NamedEnd& e, const DisplayUnit& unit, const Model& m) {
   Json j = {{"direction", e.direction},
-            {"stop", stop_names[static_cast<std::size_t>(e.end.stop)]},
+            {"stop", stop_of(e.end).name},
             {"value", unit.from_si(e.end.value)},
             {"beyond", unit.from_si(e.end.beyond)}};
   if (e.end.stop == RangeStop::full_turn) j["turns"] = e.end.turns;

@@ -26,6 +26,9 @@ CheckedSummary MotionRecorder::run(Formulation& formulation) {
   const CheckedSummary summary =
       run_checked(formulation, grid_, {Level::acceleration}, *this, options);
   if (passed_) instants_.push_back(*std::exchange(passed_, {}));
+  is_over_ = true;
+  condition_ = 0;
+  radius_ = no_radius;
   if (instants_.empty()) {
     const std::vector<double> at_rest(model_.estimate.size());
     instants_.push_back(
@@ -81,19 +84,16 @@ void MotionRecorder::keep(RecordedInstant instant) {
   instants_.push_back(std::move(instant));
   condition_ = 0;
   radius_ = no_radius;
-  if (instants_.size() > max_kept_) drop_every_second();
+  if (instants_.size() > max_kept_) thin_out();
 }
 
-/// Doubles the stride. Drops all instants that are no multiples of it, except those before gaps
-/// longer than the new stride. A dropped instant hands its condition number and radii to the next
-/// one that is kept.
-void MotionRecorder::drop_every_second() {
+void MotionRecorder::thin_out() {
   stride_ *= 2;
   std::vector<RecordedInstant> kept;
   for (std::size_t i = 0; i < instants_.size(); ++i) {
     RecordedInstant& instant = instants_[i];
     const bool before_gap =
-        i + 1 < instants_.size() && instants_[i + 1].index > instant.index + stride_;
+        i + 1 == instants_.size() ? is_over_ : instants_[i + 1].index > instant.index + stride_;
     condition_ = std::max(condition_, instant.condition);
     for (const Level level : all_levels)
       radius_[level] = std::fmax(radius_[level], instant.radius[level]);

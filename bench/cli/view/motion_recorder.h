@@ -47,6 +47,11 @@ class MotionRecorder final : public Observer {
 
   Flow observe(const Instant& instant) noexcept override;
 
+  /// Doubles n. Drops all instants that are no multiples of it, except those before gaps longer
+  /// than n instants and, after the run, the last. A dropped instant hands its condition number and
+  /// radii to the next one that is kept.
+  void thin_out();
+
   const std::vector<RecordedInstant>& instants() const { return instants_; }
   int stride() const { return stride_; }  ///< n of the class comment
   /// Returns the number of instants solved, without those on a change point.
@@ -60,7 +65,6 @@ class MotionRecorder final : public Observer {
   void record(const CheckedInstant& instant);
   std::vector<double> state_of(const Instant& instant);
   void keep(RecordedInstant instant);
-  void drop_every_second();
   void flag(const RowFlag& flag, int index);
   void flag_failures(const CheckedSummary& summary);
 
@@ -85,7 +89,7 @@ class MotionRecorder final : public Observer {
   long solved_ = 0;
   double condition_ = 0;
   PerLevel<double> radius_ = no_radius;
-  bool overflowed_ = false;
+  bool overflowed_ = false, is_over_ = false;  // a number is not finite; the run has ended
 };
 
 }  // namespace desmo::cli

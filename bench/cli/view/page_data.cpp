@@ -1,5 +1,7 @@
 #include "bench/cli/view/page_data.h"
 
+#include <openssl/evp.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -25,34 +27,22 @@ constexpr const char* flag_names[] = {"unproven", "misfit", "failed", "crossing"
 
 /// Returns numbers as base64, the lowest byte of each first.
 std::string base64(const std::vector<float>& numbers) {
-  static constexpr char letters[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  std::uint32_t bits = 0;
-  int waiting = 0;  // number of low bits of `bits` not yet written; 6 make a letter
-  const auto add = [&](std::uint32_t byte) {
-    bits = bits << 8 | byte;
-    for (waiting += 8; waiting >= 6; waiting -= 6) text += letters[bits >> (waiting - 6) & 63];
-  };
-  for (const float number : numbers)
-    for (int shift = 0; shift < 32; shift += 8)
-      add(std::bit_cast<std::uint32_t>(number) >> shift & 255);
-  if (waiting > 0) text += letters[bits << (6 - waiting) & 63];
-  return text.append((4 - text.size() % 4) % 4, '=');
+  static_assert(std::endian::native == std::endian::little);
+  const std::size_t bytes = numbers.size() * sizeof(float);
+  std::vector<unsigned char> text((bytes + 2) / 3 * 4 + 1);  // ends with a 0
+  const int size = EVP_EncodeBlock(
+      text.data(), reinterpret_cast<const unsigned char*>(numbers.data()), static_cast<int>(bytes));
+  return {text.begin(), text.begin() + size};
 }
 
 /// Writes the JSON. Appends the numbers of a column, once, when the JSON first refers to it.
 class Writer {
  public:
-  Writer(const ShownMotion& motion, int every)
-      : scene_(motion.scene), m_(motion.model), motion_(motion) {
-    const auto& instants = motion.recording.instants();
-    stride_ = motion.recording.stride() * every;
-    for (std::size_t i = 0; i < instants.size(); ++i) {
-      const bool before_gap = i + 1 == instants.size() ||
-                              instants[i + 1].index > instants[i].index + motion.recording.stride();
-      if (i % static_cast<std::size_t>(every) == 0 || before_gap) shown_.push_back(&instants[i]);
-    }
+  explicit Writer(const ShownMotion& motion)
+      : scene_(motion.scene),
+        m_(motion.model),
+        motion_(motion),
+        shown_(motion.recording.instants()) {
     const std::vector<bool> carried = carried_points(scene_.mechanism);
     for (std::size_t p = 0; p < carried.size(); ++p)
       if (carried[p]) points_.push_back(m_.find(scene_.mechanism.points[p].name));
@@ -79,7 +69,7 @@ class Writer {
   template <class Value>
   int pack(Json column, const Value& value) {
     std::vector<double> values;
-    for (const RecordedInstant* i : shown_) values.push_back(value(*i));
+    for (const RecordedInstant& i : shown_) values.push_back(value(i));
     double low = INFINITY, high = -INFINITY;
     for (const double x : values)
       if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
@@ -134,9 +124,9 @@ class Writer {
                      {"interval", scene_.grid.interval()},
                      {"instants", scene_.grid.instants},
                      {"solved", motion_.recording.solved()},
-                     {"stride", stride_}};
+                     {"stride", motion_.recording.stride()}};
     json_["shown"] = shown_.size();
-    for (const RecordedInstant* i : shown_) json_["index"].push_back(i->index);
+    for (const RecordedInstant& i : shown_) json_["index"].push_back(i.index);
     for (const Group& g : m_.groups)
       json_["groups"].push_back({{"name", g.name}, {"bodies", g.bodies}, {"constant", g.constant}});
     for (const JointForm& form : joint_forms())
@@ -229,9 +219,8 @@ class Writer {
   const Scene& scene_;
   const Model& m_;
   const ShownMotion& motion_;
-  std::vector<const RecordedInstant*> shown_;
+  const std::vector<RecordedInstant>& shown_;
   std::vector<EntityId> points_;
-  int stride_;
   std::map<Key, std::size_t> packed_;  // index in columns_ of each packed column
   Json json_, columns_ = Json::array();
   std::vector<float> numbers_;
@@ -239,6 +228,6 @@ class Writer {
 
 }  // namespace
 
-std::string page_data(const ShownMotion& motion, int every) { return Writer(motion, every)(); }
+std::string page_data(const ShownMotion& motion) { return Writer(motion)(); }
 
 }  // namespace desmo::cli

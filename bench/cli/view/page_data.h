@@ -24,11 +24,10 @@ struct ShownMotion {
 inline constexpr double text_per_number = 16. / 3;
 
 /// Returns the data as page.html takes them: JSON, with the columns of numbers one after the other
-/// as base64 of floats of 32 bits. They hold the first of every `every` recorded instants, and the
-/// last ones before gaps and before the end. All numbers are in motion.units. A column stores each
-/// number's distance from the column's value nearest to 0, with seven digits. Columns of the
-/// scene's request are plotted; where it asks for everything, those of relative coordinates and
-/// points. In either case as many are plotted as fit.
-std::string page_data(const ShownMotion& motion, int every);
+/// as base64 of floats of 32 bits, one for each recorded instant. All numbers are in motion.units.
+/// A column stores each number's distance from the column's value nearest to 0, with seven digits.
+/// Columns of the scene's request are plotted; where it asks for everything, those of relative
+/// coordinates and points. In either case as many are plotted as fit.
+std::string page_data(const ShownMotion& motion);
 
 }  // namespace desmo::cli

@@ -63,14 +63,14 @@ std::size_t instants_that_fit(const Input& input, const Model& model) {
   return static_cast<std::size_t>(fitting);
 }
 
-/// Returns a page of at most max_page bytes: of every recorded instant, or of every second, fourth
-/// … one. Throws InputError where even few are too many.
-std::string page_of(const ShownMotion& motion, const std::string& source) {
-  for (int every = 1;; every *= 2) {
-    std::string result = fill(page_data(motion, every));
+/// Returns a page of at most max_page bytes. Thins out the recording until it fits. Throws
+/// InputError where even few instants are too many.
+std::string page_of(const ShownMotion& motion, MotionRecorder& recording,
+                    const std::string& source) {
+  for (;; recording.thin_out()) {
+    std::string result = fill(page_data(motion));
     if (result.size() <= max_page) return result;
-    if (motion.recording.instants().size() / static_cast<std::size_t>(every) < min_instants)
-      refuse_size(source, motion.model);
+    if (recording.instants().size() < min_instants) refuse_size(source, motion.model);
   }
 }
 
@@ -101,7 +101,7 @@ void view(const ViewOptions& options) {
                        input.source + ": a number is not finite; choose another motion");
   output.write(
       page_of({input.scene, input.units, model, measures, recording, summary, default_formulation},
-              input.source));
+              recording, input.source));
   output.finish();
   const auto& flags = recording.flags();
   const auto failed = std::ranges::find(flags, Flag::Kind::failed, &Flag::kind);

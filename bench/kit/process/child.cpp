@@ -16,24 +16,25 @@
 #include <utility>
 
 #include "formulations/algebra/coinhsl.h"
+#include "formulations/runtime/descriptor.h"
 #include "formulations/runtime/process.h"
 
 namespace desmo::bench {
 
 namespace {
 
-/// Returns the descriptor of a copy of a file in memory. The copy has no name and lasts as long as
-/// the descriptor is open.
-int copy_of(const char* path) {
-  const int from = open(path, O_RDONLY | O_CLOEXEC), copy = memfd_create(path, MFD_CLOEXEC);
+/// Returns a copy of a file in memory. It has no name and lasts as long as it is open.
+load::Descriptor copy_of(const char* path) {
+  const load::Descriptor from(open(path, O_RDONLY | O_CLOEXEC));
+  load::Descriptor copy(memfd_create(path, MFD_CLOEXEC));
   struct stat status {};
-  bool good = from >= 0 && copy >= 0 && fstat(from, &status) == 0;
+  bool good = from.is_open() && copy.is_open() && fstat(from.number(), &status) == 0;
   for (off_t done = 0; good && done < status.st_size;)
-    good = sendfile(copy, from, &done, static_cast<std::size_t>(status.st_size - done)) > 0;
-  if (from >= 0) close(from);
-  if (good) return copy;
-  if (copy >= 0) close(copy);
-  throw std::runtime_error(std::string(path) + " cannot be copied: " + std::strerror(errno));
+    good = sendfile(copy.number(), from.number(), &done,
+                    static_cast<std::size_t>(status.st_size - done)) > 0;
+  if (!good)
+    throw std::runtime_error(std::string(path) + " cannot be copied: " + std::strerror(errno));
+  return copy;
 }
 
 /// Turns the new process into the program. Calls only functions that are safe between fork and
@@ -68,24 +69,18 @@ Launch fixed_launch(std::vector<std::string> arguments) {
 }
 
 Child::Child(const Launch& launch) : program_(launch.arguments[0]) {
-  const int copy = launch.fresh_copy ? copy_of(launch.arguments[0].c_str()) : -1;
-  std::array<int, 2> questions{}, answers{};
-  if (pipe2(questions.data(), O_CLOEXEC) != 0)
-    throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
-  if (pipe2(answers.data(), O_CLOEXEC) != 0) {
-    close(questions[0]), close(questions[1]);
-    throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
-  }
+  const load::Descriptor copy =
+      launch.fresh_copy ? copy_of(launch.arguments[0].c_str()) : load::Descriptor();
+  load::Pipe questions, answers;
   const std::vector<char*> arguments = load::null_terminated(launch.arguments);
   const std::vector<char*> variables = load::null_terminated(launch.environment);
   process_ = fork();
-  if (process_ == 0)
-    become(launch.core, copy, questions[0], answers[1], arguments.data(), variables.data());
-  if (copy >= 0) close(copy);
-  close(questions[0]), close(answers[1]);
-  in_ = fdopen(questions[1], "w");
-  out_ = fdopen(answers[0], "r");
   if (process_ < 0) throw std::runtime_error(program_ + " cannot be started");
+  if (process_ == 0)
+    become(launch.core, copy.number(), questions.read_end.number(), answers.write_end.number(),
+           arguments.data(), variables.data());
+  in_ = fdopen(questions.write_end.release(), "w");
+  out_ = fdopen(answers.read_end.release(), "r");
 }
 
 Child::~Child() {

@@ -2,7 +2,6 @@
 
 #include <benchmark/benchmark.h>
 #include <link.h>
-#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -70,11 +69,6 @@ std::vector<std::string> caches(const benchmark::CPUInfo& info) {
   return found;
 }
 
-std::string kernel() {
-  utsname name{};
-  return uname(&name) == 0 ? std::string(name.sysname) + " " + name.release : "unknown";
-}
-
 /// Adds the name of a shared object that was loaded from a file. Leaves out the program itself,
 /// which has no name here, and what the kernel supplies. A callback of dl_iterate_phdr().
 int collect(dl_phdr_info* object, std::size_t, void* names) {
@@ -89,7 +83,8 @@ Json machine_json(const Run& run) {
   return {{"cpu", processor_name()},
           {"cores", info.num_cpus},
           {"caches", caches(info)},
-          {"kernel", kernel()},
+          {"kernel",
+           first_line("/proc/sys/kernel/ostype") + " " + first_line("/proc/sys/kernel/osrelease")},
           {"governor", first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor")},
           {"turbo", turbo()},
           {"load_before", run.load_before},
