@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <set>
 
-#include "formulations/modelling/measures/measures.h"
 #include "tests/modelling/common.h"
 #include "tests/modelling/plan.h"
 #include "tests/overconstrained.h"
@@ -188,27 +187,6 @@ TEST(Plan, AsksUpstreamForTheLevelOfWhatDependsOnIt) {
   for (const char* shallow : {"axle1/A6", "axle1/B6", "axle1/phi6"})
     EXPECT_EQ(level_of(plan, shallow), position) << shallow;
   EXPECT_EQ(plan.level(), acceleration);
-}
-
-TEST(Plan, TakesWhatASceneAsksFor) {
-  Scene s = truck_suspension(1);
-  const auto index = [](const auto& list, const char* name) {
-    for (int i = 0; i < static_cast<int>(list.size()); ++i)
-      if (list[i].name == name) return i;
-    return -1;
-  };
-  using enum RequestedEntity::Kind;
-  s.request = {{point, index(s.mechanism.points, "axle1/B6"), velocity},
-               {vector, index(s.mechanism.vectors, "axle1/e6"), position},
-               {coordinate, index(s.mechanism.coordinates, "axle1/s12"), acceleration}};
-  const Model m = make_model(s);
-  const std::vector<Output> asked = outputs_of(s, m);
-  ASSERT_EQ(asked.size(), 3u);
-  EXPECT_EQ(m.entities[asked[0].entity].name, "axle1/B6");
-  EXPECT_EQ(m.entities[asked[1].entity].name, "axle1/e6");
-  EXPECT_EQ(m.entities[asked[2].entity].name, "axle1/s12");
-  EXPECT_EQ(asked[0].level, velocity);
-  EXPECT_EQ(make_plan(m, asked).level(), acceleration);
 }
 
 }  // namespace
