@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -145,11 +144,13 @@ class AxisMaker {
 
   FramedMechanism& framed_;
   std::set<std::string> names_;
-  std::map<std::pair<int, int>, std::pair<int, int>> normals_;  // normals made, by body and vector
 };
 
 /// Returns the names of all points, vectors and coordinates.
 std::set<std::string> names_in(const Mechanism& mechanism);
+
+/// Adds a name to those that are taken: `base`, numbered if need be. Returns it.
+std::string add_name(std::set<std::string>& names, const std::string& base);
 
 /// Adds the closures of cut joints to a mechanism whose bodies have their frames, and the normals
 /// that they need.
