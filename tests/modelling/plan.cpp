@@ -1,4 +1,4 @@
-// What a request needs is kept as far as it is needed, and nothing else.
+// Plans keep entities as far as a request needs them, and no others.
 
 #include "formulations/model/plan.h"
 
@@ -31,8 +31,8 @@ TEST(Plan, DropsWhatNothingAskedDependsOn) {
        {"axle1/WL", "axle1/y2", "axle1/z2", "axle1/S", "axle1/C4", "axle1/C5", "axle1/WR",
         "axle1/R", "axle1/G4", "axle1/G5", "axle1/zL", "axle1/zR", "y1"})
     EXPECT_TRUE(kept.contains(needed)) << needed;
-  // What only completes frames (x2: no point that holds the axle is offset along it), what hangs on
-  // the axle, and the other axle.
+  // Vectors that only complete frames (no point that holds the axle is offset along x2), bodies
+  // that hang on the axle, and the other axle.
   for (const char* idle : {"axle1/x2", "axle1/n3", "axle1/n4", "axle1/n5", "axle1/A6", "axle1/phi6",
                            "axle1/s10", "axle1/T11", "axle2/WL", "axle2/zL"})
     EXPECT_FALSE(kept.contains(idle)) << idle;

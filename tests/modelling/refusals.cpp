@@ -1,4 +1,4 @@
-// What is no mechanism that its drivers determine is refused, by name.
+// Refusals, by name, of mechanisms that their drivers do not determine.
 
 #include <gtest/gtest.h>
 
@@ -203,8 +203,8 @@ TEST(Refused, TwoShapesThatDiffer) {
       model_mechanism(driven(two_shapes(0.7, 0.7, 1e-6, false), {"a", "b"}), {still, still}));
 }
 
-/// What digits make of a shape is left out, up to 1e-4 of the distance of A and B. How far D is
-/// from them does not matter.
+/// An equation is left out where the digits of a shape explain its misfit: up to 1e-4 of the
+/// distance of A and B. The distance of D from them does not matter.
 TEST(Refused, ShapesOnTheGroundThatDifferByMoreThanDigitsAndNoOthers) {
   for (const double size : {1e-6, 1.0, 1e5})
     for (const double neighbour : {1., 100.}) {

@@ -1,4 +1,4 @@
-// What an angle in space measures of a direction that does not lie in its plane.
+// Angles in space of directions that do not lie in their plane.
 
 #include <gtest/gtest.h>
 

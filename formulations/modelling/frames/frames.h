@@ -37,8 +37,8 @@ struct TreeJoint {
 struct SpanningTree {
   std::vector<int> order;  ///< all rigid bodies but the ground: parents first, group by group
   std::vector<TreeJoint> hanging;  ///< tree joint of each rigid body
-  std::vector<bool> has_frame;     ///< whether each rigid body has a frame; true for the ground
-  std::vector<bool> is_of_tree;    ///< whether each joint is in the tree; all others are cut
+  std::vector<bool> has_frame;     ///< rigid bodies that have a frame; the ground is one
+  std::vector<bool> is_of_tree;    ///< joints that are in the tree; all others are cut
 };
 
 /// Returns the tree, group by group in solution order. In `relative` coordinates the next body of a
