@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "formulations/constraints/rigid_body.h"
 #include "formulations/constraints/table.h"
 #include "formulations/constraints/vec.h"
 
@@ -135,12 +136,8 @@ struct Distance : NonlinearKind<1> {
     phi[0] = vec::dot<D>(s.data(), s.data()) - x[2][0] * x[2][0];
   }
   template <class S, class Entry>
-  static void jacobian(const S* const* x, const S*, Entry&& entry) {
-    for (int i = 0; i < D; ++i) {
-      const S d = S(2) * (x[1][i] - x[0][i]);
-      entry(0, 0, i, -d);
-      entry(0, 1, i, d);
-    }
+  static void jacobian(const S* const* x, const S* c, Entry&& entry) {
+    Length<D>::jacobian(x, c, entry);
     entry(0, 2, 0, S(-2) * x[2][0]);
   }
   template <class S>

@@ -1,6 +1,5 @@
 // The block triangular form of a part's equations.
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "formulations/base/index_range.h"
@@ -17,19 +16,11 @@ namespace {
 CSparseForm incidence_form(const Model& m, const PartDefinition& part) {
   const int equations = static_cast<int>(part.equations.size());
   std::vector<std::pair<int, int>> ones;
-  for (int i = 0; i < equations;) {
-    const int c = part.equations[i].constraint;
-    int end = i;
-    while (end < equations && part.equations[end].constraint == c) ++end;
-    visit_incidence(m, m.constraints[c], [&](int row, int state) {
-      const int j = state < m.coordinates() ? position_in(part.unknowns, state) : -1;
-      const auto equation =
-          std::find(part.equations.begin() + i, part.equations.begin() + end, Equation{c, row});
-      if (j >= 0 && equation != part.equations.begin() + end)
-        ones.emplace_back(equation - part.equations.begin(), j);
+  for (int i = 0; i < equations; ++i)
+    visit_incidence(m, m.constraints[part.equations[i].constraint], [&](int row, int state) {
+      if (row != part.equations[i].row) return;
+      if (const int j = position_in(part.unknowns, state); j >= 0) ones.emplace_back(i, j);
     });
-    i = end;
-  }
   return decompose(equations, static_cast<int>(part.unknowns.size()), ones);
 }
 

@@ -37,7 +37,7 @@ Misfit misfit_of(const Model& m, int constraint, int row, double residual,
                      if (r == row) slope[operand] = std::hypot(slope[operand], value);
                    });
     double chosen = 0;  // slope by the operand that would have to change
-    // whether that operand is a length, and its slope: a length goes before all others
+    // {it is a length, its slope} of that operand: a length goes before all others
     std::pair steepest{false, 0.};
     for (std::size_t k = 0; k < x.size(); ++k) {
       const EntityKind kind = m.entities[c.operands[k]].kind;

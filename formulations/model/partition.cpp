@@ -142,8 +142,8 @@ void keep_derivations(Model& m) {
   std::vector<int> deriving(m.entities.size(), no_position);
   const auto can_derive = [&](const Constraint& c, EntityId id) {
     const Entity& e = m.entities[id];
-    if (c.left_out || e.fixed || e.group != c.group || independent[e.first] || deriving[id] >= 0 ||
-        !is_explicit(c, e.size))
+    if (m.modelling == Modelling::natural || c.left_out || e.fixed || e.group != c.group ||
+        independent[e.first] || deriving[id] >= 0 || !is_explicit(c, e.size))
       return false;
     std::vector<EntityId> others = c.operands;
     std::erase(others, id);

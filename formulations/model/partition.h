@@ -70,6 +70,7 @@ std::vector<PartDefinition> irreducible_blocks(const Model& model, const PartDef
 
 /// Makes closures of constraints that cannot be derivations: sets Constraint::derives to
 /// no_position where
+/// - coordinates are natural,
 /// - the constraint is not explicit in the entity: its derivatives by the entity are not a diagonal
 ///   matrix with entries ±1,
 /// - a row is left out,

@@ -1,4 +1,4 @@
-// What linear systems solve for in each kind of coordinates.
+// Unknowns of linear systems in each kind of coordinates.
 
 #include <gtest/gtest.h>
 

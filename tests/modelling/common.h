@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -60,19 +61,17 @@ inline void expect_equations(const Model& m, GroupId g, std::vector<Stated> expe
   const auto what = [](const Stated& s) { return std::pair(s.kind, s.operands); };
   std::ranges::sort(actual, {}, what);
   std::ranges::sort(expected, {}, what);
-  const auto text = [](const Stated& s) {
-    std::string t = s.kind;
-    for (const std::string& o : s.operands) t += " " + o;
-    return t;
+  const auto listed = [&](const std::vector<Stated>& equations) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> all;
+    std::ranges::transform(equations, std::back_inserter(all), what);
+    return all;
   };
-  std::vector<std::string> actual_texts, expected_texts;
-  for (const Stated& s : actual) actual_texts.push_back(text(s));
-  for (const Stated& s : expected) expected_texts.push_back(text(s));
-  ASSERT_EQ(actual_texts, expected_texts) << m.groups[g].name;
+  ASSERT_EQ(listed(actual), listed(expected)) << m.groups[g].name;
   for (std::size_t i = 0; i < actual.size(); ++i) {
-    ASSERT_EQ(actual[i].constants.size(), expected[i].constants.size()) << actual_texts[i];
+    SCOPED_TRACE(testing::PrintToString(what(actual[i])));
+    ASSERT_EQ(actual[i].constants.size(), expected[i].constants.size());
     for (std::size_t k = 0; k < actual[i].constants.size(); ++k)
-      EXPECT_NEAR(actual[i].constants[k], expected[i].constants[k], 1e-14) << actual_texts[i];
+      EXPECT_NEAR(actual[i].constants[k], expected[i].constants[k], 1e-14);
   }
 }
 

@@ -1,4 +1,4 @@
-// What relative coordinates measure in the plane, recomputed from solved points; which can drive.
+// Relative coordinates in the plane, recomputed from solved points, and as drivers.
 
 #include <gtest/gtest.h>
 

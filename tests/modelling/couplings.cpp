@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/modelling/common.h"
@@ -133,44 +134,35 @@ TEST(Coupling, TakesAFreedom) {
   expect_refused(mechanism, turning, {"under-constrained: 2 freedoms among 'wheel3', 'wheel4'"});
 }
 
-TEST(Coupling, ByATableThatMeansNothingIsRefused) {
-  const auto with = [](std::vector<double> at, std::vector<double> values, SplineEnds ends) {
-    Mechanism mechanism = ring_of_gears({20, 30, 50, 40}, 20);
-    mechanism.couplings[0].table = {std::move(at), std::move(values), ends};
-    return mechanism;
-  };
-  using enum SplineEnds;
-  expect_refused(with({0, 1}, {0}, natural), turning, {"coupling 'mesh1': ", "2 times but 1"});
-  expect_refused(with({0, 1, 1}, {0, 1, 2}, natural), turning, {"ascending"});
-  expect_refused(with({0, 1, 2}, {0, 1, 2}, periodic), turning, {"the value it begins with"});
-  expect_refused(with({70, 80}, {0, 1}, natural), turning,
-                 {"coupling 'mesh1': 'turn2' is drawn at", "outside of its table, from 70 to 80"});
-  Mechanism three = with({0, 1}, {0, 1}, natural);
-  three.couplings[0].terms.push_back({2, 1.0});
-  expect_refused(three, turning, {"has a table, and not two coordinates"});
-}
-
 TEST(Coupling, OfWhatIsMeaninglessIsRefused) {
-  const Mechanism right = ring_of_gears({20, 30, 50, 40}, 20);
-  const auto with = [&](auto&& change) {
-    Mechanism mechanism = right;
-    change(mechanism);
-    return mechanism;
+  using Coupling = Mechanism::Coupling;
+  using Numbers = std::vector<double>;
+  const auto refused = [](std::string_view what, auto&& change) {
+    Mechanism mechanism = ring_of_gears({20, 30, 50, 40}, 20);
+    change(mechanism, mechanism.couplings[0]);
+    const auto drivers =
+        std::ranges::count(mechanism.coordinates, true, &Mechanism::Coordinate::driven);
+    expect_refused(mechanism, std::vector<Motion>(drivers, still), {what});
   };
-  using Terms = std::vector<Mechanism::Coupling::Term>;
-  const auto terms = [&](const Terms& list) {
-    return with([&](Mechanism& mechanism) { mechanism.couplings[0].terms = list; });
-  };
-  expect_refused(terms({{0, 1.0}}), turning, {"coupling 'mesh1': relates 1 coordinate"});
-  expect_refused(terms({{0, 1.0}, {1, 1.0}, {2, 1.0}, {3, 1.0}, {0, 1.0}}), turning,
-                 {"relates 5 coordinates; give two to four"});
-  expect_refused(terms({{0, 1.0}, {0, 1.0}}), turning, {"lists 'turn1' twice"});
-  expect_refused(terms({{0, 1.0}, {9, 1.0}}), turning, {"coordinate that does not exist"});
-  expect_refused(terms({{0, 1.0}, {1, 0.0}}), turning, {"the factor of 'turn2' is 0"});
-  expect_refused(with([](Mechanism& mechanism) { mechanism.couplings[1].name = "mesh1"; }), turning,
-                 {"given twice among the couplings"});
-  expect_refused(with([](Mechanism& mechanism) { mechanism.coordinates[1].driven = true; }),
-                 {still, still}, {"coupling 'mesh1': all its coordinates are driven"});
+  refused("relates 5 coordinates; give two to four", [](Mechanism&, Coupling& c) {
+    c.terms = {{0, 1.0}, {1, 1.0}, {2, 1.0}, {3, 1.0}, {0, 1.0}};
+  });
+  refused("coordinate that does not exist",
+          [](Mechanism&, Coupling& c) { c.terms[1].coordinate = 9; });
+  refused("given twice among the couplings",
+          [](Mechanism& m, Coupling&) { m.couplings[1].name = "mesh1"; });
+  refused("coupling 'mesh1': all its coordinates are driven",
+          [](Mechanism& m, Coupling&) { m.coordinates[1].driven = true; });
+  refused("2 times but 1", [](Mechanism&, Coupling& c) {
+    c.table = {Numbers{0, 1}, Numbers{0}, SplineEnds::natural};
+  });
+  refused("outside of its table, from 70 to 80", [](Mechanism&, Coupling& c) {
+    c.table = {Numbers{70, 80}, Numbers{0, 1}, SplineEnds::natural};
+  });
+  refused("has a table, and not two coordinates", [](Mechanism&, Coupling& c) {
+    c.table = {Numbers{0, 1}, Numbers{0, 1}, SplineEnds::natural};
+    c.terms.push_back({2, 1.0});
+  });
 }
 
 }  // namespace

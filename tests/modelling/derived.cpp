@@ -30,7 +30,7 @@ TEST(Derived, CouplerPointsAndVectorsFollowRigidly) {
   }
 }
 
-/// What a spatial body is built on.
+/// Points and vectors that a spatial body is built on.
 struct SpatialBody {
   const char* name;
   std::vector<Vec> points, vectors;

@@ -1,5 +1,5 @@
-// What a scene requests of bodies, joints and rates, against closed forms, and against the
-// positions of a quadruple reference, differentiated.
+// Measures that a scene requests of bodies, joints and rates, against closed forms, and against
+// differences of positions of a quadruple reference.
 
 #include "tests/modelling/measures.h"
 

@@ -1,4 +1,4 @@
-// What a request needs is kept as far as it is needed, and nothing else.
+// Plans keep entities as far as a request needs them, and no others.
 
 #include "formulations/model/plan.h"
 
@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <set>
 
-#include "formulations/modelling/measures/measures.h"
 #include "tests/modelling/common.h"
 #include "tests/modelling/plan.h"
 #include "tests/overconstrained.h"
@@ -32,8 +31,8 @@ TEST(Plan, DropsWhatNothingAskedDependsOn) {
        {"axle1/WL", "axle1/y2", "axle1/z2", "axle1/S", "axle1/C4", "axle1/C5", "axle1/WR",
         "axle1/R", "axle1/G4", "axle1/G5", "axle1/zL", "axle1/zR", "y1"})
     EXPECT_TRUE(kept.contains(needed)) << needed;
-  // What only completes frames (x2: no point that holds the axle is offset along it), what hangs on
-  // the axle, and the other axle.
+  // Vectors that only complete frames (no point that holds the axle is offset along x2), bodies
+  // that hang on the axle, and the other axle.
   for (const char* idle : {"axle1/x2", "axle1/n3", "axle1/n4", "axle1/n5", "axle1/A6", "axle1/phi6",
                            "axle1/s10", "axle1/T11", "axle2/WL", "axle2/zL"})
     EXPECT_FALSE(kept.contains(idle)) << idle;
@@ -188,27 +187,6 @@ TEST(Plan, AsksUpstreamForTheLevelOfWhatDependsOnIt) {
   for (const char* shallow : {"axle1/A6", "axle1/B6", "axle1/phi6"})
     EXPECT_EQ(level_of(plan, shallow), position) << shallow;
   EXPECT_EQ(plan.level(), acceleration);
-}
-
-TEST(Plan, TakesWhatASceneAsksFor) {
-  Scene s = truck_suspension(1);
-  const auto index = [](const auto& list, const char* name) {
-    for (int i = 0; i < static_cast<int>(list.size()); ++i)
-      if (list[i].name == name) return i;
-    return -1;
-  };
-  using enum RequestedEntity::Kind;
-  s.request = {{point, index(s.mechanism.points, "axle1/B6"), velocity},
-               {vector, index(s.mechanism.vectors, "axle1/e6"), position},
-               {coordinate, index(s.mechanism.coordinates, "axle1/s12"), acceleration}};
-  const Model m = make_model(s);
-  const std::vector<Output> asked = outputs_of(s, m);
-  ASSERT_EQ(asked.size(), 3u);
-  EXPECT_EQ(m.entities[asked[0].entity].name, "axle1/B6");
-  EXPECT_EQ(m.entities[asked[1].entity].name, "axle1/e6");
-  EXPECT_EQ(m.entities[asked[2].entity].name, "axle1/s12");
-  EXPECT_EQ(asked[0].level, velocity);
-  EXPECT_EQ(make_plan(m, asked).level(), acceleration);
 }
 
 }  // namespace

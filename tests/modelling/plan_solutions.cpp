@@ -1,4 +1,4 @@
-// What a plan delivers is what the whole solution delivers, and no part goes further than asked.
+// Plans deliver the same as the whole solution, and no part goes further than asked.
 
 #include <gtest/gtest.h>
 

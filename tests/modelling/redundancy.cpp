@@ -72,7 +72,7 @@ TEST(Redundant, PlanarFourBarInSpaceWithParallelAxesIsAccepted) {
   }
 }
 
-/// What closes to six digits of its file depends on other equations as does what closes.
+/// Linkages that close to six digits of their file leave out as many equations as exact ones.
 TEST(Redundant, LinkagesTypedWithFewDigitsKeepTheSameEquations) {
   const auto kept = [](const Scene& scene) {
     int count = 0;

@@ -3,38 +3,27 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
+#include <random>
+#include <string>
+#include <string_view>
 
+#include "cases/mechanism/names.h"
 #include "tests/modelling/common.h"
-#include "tests/random.h"
 
 namespace desmo::shuffled_library_test {
 namespace {
 
 /// Returns the scene with the points and vectors of each body in another order.
-Scene with_shuffled_bodies(Scene scene, Random& random) {
-  const auto reorder = [](auto& list, const std::vector<int>& order) {
-    const auto before = list;
-    for (std::size_t i = 0; i < order.size(); ++i) list[i] = before[order[i]];
-  };
-  const auto drawn_order = [&](std::size_t n) {
-    std::vector<int> order(n);
-    std::iota(order.begin(), order.end(), 0);
-    for (std::size_t i = n; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-    return order;
-  };
+Scene with_shuffled_bodies(Scene scene, int seed) {
+  std::mt19937 random(seed);
   for (Mechanism::Body& body : scene.mechanism.bodies) {
-    const auto points = drawn_order(body.points.size()), vectors = drawn_order(body.vectors.size());
-    reorder(body.points, points);
-    reorder(body.vectors, vectors);
-    if (!body.own) continue;
-    reorder(body.own->points, points);
-    reorder(body.own->vectors, vectors);
+    std::ranges::shuffle(body.points, random);
+    std::ranges::shuffle(body.vectors, random);
   }
   return scene;
 }
 
-class ShuffledLibrary : public testing::TestWithParam<std::string> {};
+class ShuffledLibrary : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(ShuffledLibrary, MovesAlike) {
   const Scene scene = library_scene(GetParam());
@@ -43,8 +32,7 @@ TEST_P(ShuffledLibrary, MovesAlike) {
   const Solved expected(make_model(scene), first);
   for (int seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
-    const Solved s(make_model(with_shuffled_bodies(scene, random)), first);
+    const Solved s(make_model(with_shuffled_bodies(scene, seed)), first);
     EXPECT_EQ(s.model().structural_groups(), expected.model().structural_groups());
     for (int k = 0; k < s.instants() && !HasFailure(); ++k)
       for (const Mechanism::Point& p : scene.mechanism.points)
@@ -52,12 +40,8 @@ TEST_P(ShuffledLibrary, MovesAlike) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Mechanisms, ShuffledLibrary, testing::ValuesIn([] {
-                           std::vector<std::string> names;
-                           for (const LibraryMechanism& l : library()) names.emplace_back(l.name);
-                           return names;
-                         }()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Mechanisms, ShuffledLibrary, testing::ValuesIn(names_of(library())),
+                         [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
 }  // namespace desmo::shuffled_library_test

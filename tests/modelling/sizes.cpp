@@ -1,5 +1,4 @@
-// What a part is modelled as does not depend on how large its mechanism is, nor on what else is in
-// it.
+// The model of a part depends neither on the size of its mechanism nor on the other parts of it.
 
 #include <gtest/gtest.h>
 

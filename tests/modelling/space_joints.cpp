@@ -100,12 +100,6 @@ TEST(PointOnPlane, MovesThePistonOfASwashPlate) {
   }
 }
 
-/// Returns a position on a body that turns about z by an angle.
-Vec turned(const Vec& own, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * own[0] - s * own[1], s * own[0] + c * own[1], own[2]};
-}
-
 constexpr double sizes_of_offsets[] = {0, 1e-11, 9e-7, -9e-7};
 
 TEST(SlidingJoint, LeavesABodyBesideTheLineAsItIsDrawn) {
@@ -152,8 +146,9 @@ TEST(SlidingJoint, LeavesABodyBesideALineThatMovesAsItIsDrawn) {
       d.along("s", O, P, u).driven = true;
       const Solved s(d.release(), {Polynomial{{0, 2}}, Polynomial{{2, 1}}}, instants(1));
       for (int k = 0; k < s.instants() && !HasFailure(); ++k)
-        expect_near(s.position(k, "P"), turned({2 + s.time(k), off, -off}, 2 * s.time(k)),
-                    tolerance, "P");
+        expect_near(s.position(k, "P"),
+                    turned_about({0, 0, 1}, 2 * s.time(k), {2 + s.time(k), off, -off}), tolerance,
+                    "P");
       EXPECT_FALSE(HasFailure()) << off << ", " << is_first;
     }
 }

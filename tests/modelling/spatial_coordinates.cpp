@@ -1,4 +1,4 @@
-// What relative coordinates measure in space, recomputed from solved points.
+// Relative coordinates in space, recomputed from solved points.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The irreducible blocks of the equations inside structural groups, and how the analysis grows.
+// The irreducible blocks of the equations inside structural groups.
 
 #include <gtest/gtest.h>
 
@@ -76,18 +76,6 @@ TEST(Blocks, OfAnOrderedChainAreItsSmallestSteps) {
   for (const PartDefinition& b : make_partition(m, Partition::block))
     sizes.push_back(b.unknowns.size());
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 3, 3, 3}));
-}
-
-TEST(Growth, OfEquationsAndOfWhatTheyReadIsLinear) {
-  const auto entries = [](int dyads) {
-    const Model m = four_bar_model(dyads);
-    long count = 0;
-    for (const Constraint& c : m.constraints) visit_incidence(m, c, [&](int, int) { ++count; });
-    return count;
-  };
-  const long first = entries(50);
-  EXPECT_EQ(entries(100) - first, 10 * (entries(55) - first));
-  EXPECT_EQ(entries(5000) - first, 990 * (entries(55) - first));
 }
 
 }  // namespace

@@ -22,30 +22,6 @@ Model model(const Mechanism& mechanism) {
   return model_mechanism(mechanism, std::vector<Motion>(drivers, still)).model;
 }
 
-/// A link by its name and those of its pins.
-using PinnedLink = std::pair<std::string, std::vector<std::string>>;
-/// The line of two pins.
-using PinLine = std::pair<std::string, std::string>;
-
-/// Returns a planar linkage of pinned links, the angles of these lines driven.
-Mechanism linkage(const std::string& name, const std::map<std::string, Vec>& pins,
-                  const PinnedLink& ground, const std::vector<PinnedLink>& links,
-                  const std::vector<PinLine>& driven) {
-  Sketch d(name, 2);
-  std::map<std::string, int> points;
-  for (const auto& [pin, at] : pins) points[pin] = d.point(pin, at);
-  const auto points_of = [&](const PinnedLink& link) {
-    std::vector<int> result;
-    for (const std::string& pin : link.second) result.push_back(points.at(pin));
-    return result;
-  };
-  d.carry(Sketch::ground, points_of(ground));
-  for (const PinnedLink& link : links) d.body(link.first, points_of(link));
-  for (const auto& [a, b] : driven)
-    d.angle("angle of " + a + b, line(points.at(a), points.at(b))).driven = true;
-  return d.release_pinned();
-}
-
 /// A group as a structural diagram shows it: its bodies, (N_m, n_c) and where its arrows come from.
 struct Expected {
   std::set<std::string> bodies;
@@ -72,22 +48,16 @@ void expect_groups(const Model& m, const std::vector<Expected>& expected) {
   }
 }
 
+/// Driven at its crank, its groups are among those of the library.
 TEST(Groups, OfASliderCrankBeginWhereItIsDriven) {
-  const auto slider_crank = [](bool at_slider) {
-    Sketch d("slider-crank", 2);
-    const int O = d.ground_point("O", {0, 0, 0}), x = d.ground_vector("x", {1, 0, 0});
-    const int B = d.point("B", {0.5, 0.8, 0}), P = d.point("P", {3, 0, 0});
-    const int slider = d.body("slider", {P}, {x});  // first: it is the one that s drives
-    d.bodies({{"crank", {O, B}}, {"rod", {B, P}}});
-    d.joint(JointType::prismatic, Sketch::ground, slider, {O, P}, {x});
-    if (at_slider)
-      d.along("s", O, P, x).driven = true;
-    else
-      d.angle("theta", line(O, B)).driven = true;
-    return model(d.release_pinned());
-  };
-  expect_groups(slider_crank(false), {{{"crank"}, 1, {}}, {{"rod", "slider"}, 0, {0}}});
-  expect_groups(slider_crank(true), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
+  Sketch d("slider-crank", 2);
+  const int O = d.ground_point("O", {0, 0, 0}), x = d.ground_vector("x", {1, 0, 0});
+  const int B = d.point("B", {0.5, 0.8, 0}), P = d.point("P", {3, 0, 0});
+  const int slider = d.body("slider", {P}, {x});  // first: it is the one that s drives
+  d.bodies({{"crank", {O, B}}, {"rod", {B, P}}});
+  d.joint(JointType::prismatic, Sketch::ground, slider, {O, P}, {x});
+  d.along("s", O, P, x).driven = true;
+  expect_groups(model(d.release_pinned()), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
 }
 
 /// Driven as in their files, their groups are among those of the library.
@@ -104,26 +74,6 @@ TEST(Groups, OfSixBarsDependOnTheDrivenLink) {
   expect_groups(
       driven_by("stephenson_six_bar", "alpha"),
       {{{"rocker1"}, 1, {}}, {{"coupler", "rocker2"}, 0, {0}}, {{"crank", "link"}, 0, {1}}});
-}
-
-TEST(Groups, OfATriadAreNotSplit) {
-  const Mechanism mechanism = linkage("triad",
-                                      {{"A", {0, 0, 0}},
-                                       {"B", {4, 0, 0}},
-                                       {"C", {2, 5, 0}},
-                                       {"P", {1, 1, 0}},
-                                       {"Q", {3, 1, 0}},
-                                       {"R", {2, 2.5, 0}},
-                                       {"F", {-1, 1, 0}}},
-                                      {"ground", {"F", "B", "C"}},
-                                      {{"arm", {"F", "A"}},
-                                       {"leg a", {"A", "P"}},
-                                       {"leg b", {"B", "Q"}},
-                                       {"leg c", {"C", "R"}},
-                                       {"plate", {"P", "Q", "R"}}},
-                                      {{"F", "A"}});
-  expect_groups(model(mechanism),
-                {{{"arm"}, 1, {}}, {{"leg a", "leg b", "leg c", "plate"}, 0, {0}}});
 }
 
 TEST(Groups, OfAStewartPlatformWhosePoseIsGivenAreThePlatformAndItsLegs) {
@@ -149,20 +99,18 @@ TEST(Groups, OfAStewartPlatformWhosePoseIsGivenAreThePlatformAndItsLegs) {
 
 TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
   // A chain of dyads, written from its last to its first.
-  const Model m = model(linkage("backwards",
-                                {{"A", {0, 0, 0}},
-                                 {"B", {1, 1.7, 0}},
-                                 {"D1", {6, 0, 0}},
-                                 {"C1", {4, 5, 0}},
-                                 {"D2", {12, 0, 0}},
-                                 {"C2", {10, 5, 0}}},
-                                {"ground", {"A", "D1", "D2"}},
-                                {{"rocker2", {"D2", "C2"}},
-                                 {"coupler2", {"C1", "C2"}},
-                                 {"rocker1", {"D1", "C1"}},
-                                 {"coupler1", {"B", "C1"}},
-                                 {"crank", {"A", "B"}}},
-                                {{"A", "B"}}));
+  Sketch d("backwards", 2);
+  const int A = d.ground_point("A", {0, 0, 0}), D1 = d.ground_point("D1", {6, 0, 0}),
+            D2 = d.ground_point("D2", {12, 0, 0});
+  const int B = d.point("B", {1, 1.7, 0}), C1 = d.point("C1", {4, 5, 0}),
+            C2 = d.point("C2", {10, 5, 0});
+  d.bodies({{"rocker2", {D2, C2}},
+            {"coupler2", {C1, C2}},
+            {"rocker1", {D1, C1}},
+            {"coupler1", {B, C1}},
+            {"crank", {A, B}}});
+  d.angle("theta", line(A, B)).driven = true;
+  const Model m = model(d.release_pinned());
   expect_groups(
       m,
       {{{"crank"}, 1, {}}, {{"coupler1", "rocker1"}, 0, {0}}, {{"coupler2", "rocker2"}, 0, {1}}});
@@ -171,35 +119,12 @@ TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
 }
 
 TEST(Groups, OfIndependentMechanismsInOneFileDoNotKnowEachOther) {
-  const Mechanism mechanism = linkage("two",
-                                      {{"A", {0, 0, 0}},
-                                       {"B", {1, 1.7, 0}},
-                                       {"D", {6, 0, 0}},
-                                       {"C", {4, 5, 0}},
-                                       {"P", {20, 0, 0}},
-                                       {"Q", {21, 1, 0}}},
-                                      {"ground", {"P", "A", "D"}},
-                                      {{"other crank", {"P", "Q"}},
-                                       {"crank", {"A", "B"}},
-                                       {"coupler", {"B", "C"}},
-                                       {"rocker", {"D", "C"}}},
-                                      {{"A", "B"}, {"P", "Q"}});
-  expect_groups(model(mechanism),
-                {{{"other crank"}, 1, {}}, {{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {1}}});
-}
-
-TEST(Groups, OfTheTruckHangOnTheAxle) {
-  const Model m = truck_model(2);
-  std::vector<Expected> expected;
-  for (int a = 0; a < 2; ++a) {
-    const std::string p = "axle" + std::to_string(a + 1) + "/";
-    const GroupId axle = 5 * a;
-    expected.push_back({{p + "2", p + "3", p + "4", p + "5"}, 2, {}});
-    for (const auto& [first, second] :
-         {std::pair("6", "8"), {"7", "9"}, {"10", "11"}, {"12", "13"}})
-      expected.push_back({{p + first, p + second}, 0, {axle}});
-  }
-  expect_groups(m, expected);
+  Sketch d = four_bar_sketch();
+  const int P = d.ground_point("P", {20, 0, 0}), Q = d.point("Q", {21, 1, 0});
+  d.body("other crank", {P, Q});
+  d.angle("phi", line(P, Q));
+  expect_groups(model(driven(d.release_pinned(), {"theta", "phi"})),
+                {{{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {0}}, {{"other crank"}, 1, {}}});
 }
 
 TEST(Groups, HaveAsManyRestrictionsAsFreedomsUnlessSomeAreRedundant) {

@@ -74,7 +74,8 @@ void relate_in_space(EquationWriter& w, const Relation& r) {
   }
   if (r.is_point() && !has_lines) {
     terms.insert(terms.begin(), {r.target, w.point(basis.origin)});
-    return w.derive(EquationSource::body, r.name, rigid[coefficients.size()], terms, coefficients);
+    return w.constrain(EquationSource::body, r.name, rigid[coefficients.size()], terms,
+                       coefficients, 0);
   }
   if (!is_rounding(of_origin.value, 1)) {
     terms.insert(terms.begin(), w.point(basis.origin));
@@ -82,26 +83,21 @@ void relate_in_space(EquationWriter& w, const Relation& r) {
   }
   if (terms.empty()) return;
   terms.insert(terms.begin(), r.target);
-  w.derive(EquationSource::body, r.name, combination[coefficients.size() - 1], terms, coefficients);
+  w.constrain(EquationSource::body, r.name, combination[coefficients.size() - 1], terms,
+              coefficients, 0);
 }
 
-void relate(EquationWriter& w, const Relation& r) {
+/// Writes the linear equation by which a body's point or vector follows from the basis, which it is
+/// not in. offset: the line from the origin to the point, or the vector
+void relate(EquationWriter& w, const std::string& prefix, const RigidBody& body,
+            const Direction& offset) {
+  const bool is_point = offset.is_line();
+  const std::string& name =
+      is_point ? w.mechanism.points[offset.to].name : w.mechanism.vectors[offset.vector].name;
+  const Relation r{prefix + name + " rigid", body,
+                   is_point ? w.point(offset.to) : w.vector(offset.vector), offset,
+                   is_point ? reach_of(w.mechanism, body, w.reach) : 1};
   w.mechanism.dimension == 2 ? relate_in_plane(w, r) : relate_in_space(w, r);
-}
-
-/// Writes the linear equation by which a body's point follows from the basis. The point is not in
-/// the basis.
-void relate_point(EquationWriter& w, const std::string& prefix, const RigidBody& body, int p) {
-  relate(w, {prefix + w.mechanism.points[p].name + " rigid",
-             body,
-             w.point(p),
-             {-1, body.basis.origin, p},
-             reach_of(w.mechanism, body, w.reach)});
-}
-
-/// Writes the linear equation of a vector that is not in the basis.
-void relate_vector(EquationWriter& w, const std::string& prefix, const RigidBody& body, int v) {
-  relate(w, {prefix + w.mechanism.vectors[v].name + " rigid", body, w.vector(v), {v}, 1});
 }
 
 template <int D>
@@ -189,12 +185,12 @@ void write_body(EquationWriter& w, int r, bool has_frame) {
     for (std::size_t j = i; j < directions.size(); ++j)
       keep_product<D>(w, name, body, directions[i], directions[j]);
   for (const int p : body.points)
-    if (!body.basis.has_point(p)) relate_point(w, name, body, p);
+    if (!body.basis.has_point(p)) relate(w, name, body, {-1, body.basis.origin, p});
   for (const int v : body.vectors)
     if (!has_frame && follows_from_points(w.mechanism, body, v))
       keep_along<D>(w, name, body, v);
     else if (!body.basis.has_vector(v) && (!has_frame || w.framed->deriving_vector[v] == r))
-      relate_vector(w, name, body, v);
+      relate(w, name, body, {v});
 }
 
 }  // namespace

@@ -203,7 +203,7 @@ void define(const Definition& definition) {
 template <int D>
 void write_coordinate_equations(EquationWriter& w) {
   const Coordinates& all = w.coordinates();
-  std::vector<bool> is_variable(all.measured.size(), false);  // whether it is one of a tree joint
+  std::vector<bool> is_variable(all.measured.size(), false);  // variables of tree joints
   if (w.framed)
     for (const DerivedFrame& frame : w.framed->frames)
       for (const int c : {frame.angle, frame.travel})

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/mechanism/drawing.h"
@@ -12,22 +14,14 @@ namespace desmo {
 
 namespace {
 
-bool is_angle(const Mechanism& mechanism, const Mechanism::Coupling::Term& term) {
-  return mechanism.coordinates[term.coordinate].type == Mechanism::CoordinateType::angle;
-}
-
 /// Returns the term whose unit Φ has: the length with the largest |factor| or, when there is no
 /// length, the angle with the largest one.
 const Mechanism::Coupling::Term& leading_term(const Mechanism& mechanism,
                                               const Mechanism::Coupling& c) {
-  const Mechanism::Coupling::Term* leading = &c.terms.front();
-  for (const Mechanism::Coupling::Term& term : c.terms) {
-    const bool is_larger = std::abs(term.factor.value) > std::abs(leading->factor.value);
-    if (is_angle(mechanism, term) == is_angle(mechanism, *leading) ? is_larger
-                                                                   : !is_angle(mechanism, term))
-      leading = &term;
-  }
-  return *leading;
+  return *std::ranges::max_element(c.terms, {}, [&](const Mechanism::Coupling::Term& term) {
+    const auto type = mechanism.coordinates[term.coordinate].type;
+    return std::pair(type != Mechanism::CoordinateType::angle, std::abs(term.factor.value));
+  });
 }
 
 void constrain(EquationWriter& w, const Mechanism::Coupling& coupling, int kind,

@@ -47,7 +47,7 @@ class EquationWriter {
   /// fixed operands is not added when it holds to rounding. Otherwise it is added to the group that
   /// begin() set, and left out.
   /// - kind: position among the kinds of constraints
-  /// - derives: the operand that it derives; no_position: none
+  /// - derives: the operand that it derives unless coordinates are natural; no_position: none
   void constrain(EquationSource source, std::string name, int kind,
                  std::span<const EntityId> operands, std::span<const Derived> dimensions,
                  int derives = no_position);
@@ -57,17 +57,12 @@ class EquationWriter {
                  const std::array<Derived, Kind::constants>& dimensions) {
     constrain(source, std::move(name), kind_index<Kind>(), operands, dimensions);
   }
-  /// Adds an equation that is explicit in an operand: a derivation, unless coordinates are natural.
-  void derive(EquationSource source, std::string name, int kind, std::span<const EntityId> operands,
-              std::span<const Derived> dimensions, int operand = 0) {
-    constrain(source, std::move(name), kind, operands, dimensions,
-              coordinates_.model.modelling == Modelling::natural ? no_position : operand);
-  }
+  /// Adds an equation that derives an operand.
   template <class Kind>
   void derive(EquationSource source, std::string name,
               const std::array<EntityId, Kind::operand_sizes.size()>& operands,
               const std::array<Derived, Kind::constants>& dimensions, int operand = 0) {
-    derive(source, std::move(name), kind_index<Kind>(), operands, dimensions, operand);
+    constrain(source, std::move(name), kind_index<Kind>(), operands, dimensions, operand);
   }
 
   /// Records the scalar product of two directions unless one is recorded. Returns whether it needs

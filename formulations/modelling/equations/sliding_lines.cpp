@@ -55,7 +55,7 @@ class LineMaker {
     Exact foot = point.exact();
     for (int i = 0; i < 3; ++i) foot[i] = end == 0 ? foot[i] + off[i] : foot[i] - off[i];
     set_exact(point.position, point.remainder, foot);
-    point.name = unique(j.name + "/foot");
+    point.name = add_name(names_, j.name + "/foot");
     mechanism_.points.push_back(point);
     mechanism_.bodies[j.bodies[end]].points.push_back(added);
     complete_basis(j.bodies[end], j.name);
@@ -73,15 +73,10 @@ class LineMaker {
     const Exact normal = unit_vector(cross(drawing.direction(rigid_.list[r], directions[0]),
                                            drawing.direction(rigid_.list[r], directions[1])));
     Mechanism::Vector vector;
-    vector.name = unique(joint + "/normal");
+    vector.name = add_name(names_, joint + "/normal");
     set_exact(vector.direction, vector.remainder, normal);
     mechanism_.bodies[body].vectors.push_back(static_cast<int>(mechanism_.vectors.size()));
     mechanism_.vectors.push_back(vector);
-  }
-
-  std::string unique(std::string name) {
-    while (!names_.insert(name).second) name += "'";  // the user has that name
-    return name;
   }
 
   Mechanism mechanism_;

@@ -54,6 +54,12 @@ std::set<std::string> names_in(const Mechanism& mechanism) {
   return names;
 }
 
+std::string add_name(std::set<std::string>& names, const std::string& base) {
+  std::string name = base;
+  for (int n = 2; !names.insert(name).second; ++n) name = base + " " + std::to_string(n);
+  return name;
+}
+
 AxisMaker::AxisMaker(FramedMechanism& framed)
     : framed_(framed), names_(names_in(framed.mechanism)) {}
 
@@ -76,8 +82,6 @@ int AxisMaker::find_or_add_axis(int body, const Exact& direction, const char* wh
 }
 
 std::pair<int, int> AxisMaker::find_or_add_normals(int body, int vector) {
-  const auto [at, is_new] = normals_.try_emplace({body, vector});
-  if (!is_new) return at->second;
   const Exact u = own(body, vector);
   // n: of the axis of the frame that is most nearly normal to u, the part normal to u.
   std::array<Exact, 3> axes = own_axes(body);
@@ -87,7 +91,7 @@ std::pair<int, int> AxisMaker::find_or_add_normals(int body, int vector) {
       axes, {}, [&](const Exact& axis) { return std::abs(dot(axis, u).value); });
   if (!are_normal(n, u)) n = unit_vector(across(n, u));
   const int first = find_or_add_axis(body, n, "normal");
-  return at->second = {first, find_or_add_axis(body, cross(u, n), "normal")};
+  return {first, find_or_add_axis(body, cross(u, n), "normal")};
 }
 
 void AxisMaker::add_normal(int body) {
@@ -144,10 +148,7 @@ Exact AxisMaker::drawn(int body, const Exact& own) const {
 
 std::string AxisMaker::unique_name(int body, const char* what) {
   const int first = framed_.rigid.list[body].bodies.front();
-  const std::string base = framed_.mechanism.bodies[first].name + "/" + what;
-  std::string name = base;
-  for (int n = 2; !names_.insert(name).second; ++n) name = base + " " + std::to_string(n);
-  return name;
+  return add_name(names_, framed_.mechanism.bodies[first].name + "/" + what);
 }
 
 std::optional<FramedMechanism> with_plane_normals(const Mechanism& mechanism,

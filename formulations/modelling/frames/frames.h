@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,8 +37,8 @@ struct TreeJoint {
 struct SpanningTree {
   std::vector<int> order;  ///< all rigid bodies but the ground: parents first, group by group
   std::vector<TreeJoint> hanging;  ///< tree joint of each rigid body
-  std::vector<bool> has_frame;     ///< whether each rigid body has a frame; true for the ground
-  std::vector<bool> is_of_tree;    ///< whether each joint is in the tree; all others are cut
+  std::vector<bool> has_frame;     ///< rigid bodies that have a frame; the ground is one
+  std::vector<bool> is_of_tree;    ///< joints that are in the tree; all others are cut
 };
 
 /// Returns the tree, group by group in solution order. In `relative` coordinates the next body of a
@@ -145,11 +144,13 @@ class AxisMaker {
 
   FramedMechanism& framed_;
   std::set<std::string> names_;
-  std::map<std::pair<int, int>, std::pair<int, int>> normals_;  // normals made, by body and vector
 };
 
 /// Returns the names of all points, vectors and coordinates.
 std::set<std::string> names_in(const Mechanism& mechanism);
+
+/// Adds a name to those that are taken: `base`, numbered if need be. Returns it.
+std::string add_name(std::set<std::string>& names, const std::string& base);
 
 /// Adds the closures of cut joints to a mechanism whose bodies have their frames, and the normals
 /// that they need.

@@ -137,7 +137,7 @@ class FrameWriter {
     }
     const int operand = line.from == joint_->points[hanging_.is_first ? 0 : 1] ? 0 : 1;
     (operand == 0 ? line.from : line.to) = frame_.origin;
-    w_.derive(
+    w_.constrain(
         EquationSource::joint, joint_->name + ": origin",
         w_.mechanism.dimension == 2 ? kind_index<Along<2>>() : kind_index<Along<3>>(),
         std::array{w_.point(line.from), w_.point(line.to), w_.vector(joint_->vectors[0]), travel},

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <map>
+#include <optional>
 #include <tuple>
 
 #include "cases/mechanism/joint_forms.h"
@@ -10,26 +11,24 @@ namespace desmo {
 
 namespace {
 
-/// A joint type by which a body may hang on another one. Joints of all other types are cut.
-struct TreeForm {
-  Mechanism::JointType type;
-  int dimension;
-  Turn turn;
-};
-
-std::span<const TreeForm> tree_forms() {
+/// Returns how a body turns that hangs on another one by a joint of a type; nullopt: joints of that
+/// type are cut.
+std::optional<Turn> turn_by(Mechanism::JointType type, int dimension) {
   using enum Mechanism::JointType;
-  static constexpr TreeForm table[]{
-      {revolute, 2, Turn::in_plane},
-      {prismatic, 2, Turn::none},
-      {revolute_on_slider, 2, Turn::in_plane},
-      {revolute, 3, Turn::about_axis},
-      {prismatic, 3, Turn::none},
-      {cylindrical, 3, Turn::about_axis},
-      {universal, 3, Turn::about_two_axes},
-      {spherical, 3, Turn::freely},
-  };
-  return table;
+  switch (type) {
+    case prismatic:
+      return Turn::none;
+    case revolute:
+    case revolute_on_slider:
+    case cylindrical:
+      return dimension == 2 ? Turn::in_plane : Turn::about_axis;
+    case universal:
+      return Turn::about_two_axes;
+    case spherical:
+      return Turn::freely;
+    default:
+      return std::nullopt;
+  }
 }
 
 class TreeMaker {
@@ -76,12 +75,7 @@ class TreeMaker {
 
   /// Hangs one of the bodies that are left on a placed one. Returns false where no joint allows it.
   bool place_by_joint(std::vector<int>& left) {
-    struct Candidate {
-      int body;
-      TreeJoint hanging;
-      std::tuple<int, int, int, int> rank;  // of candidates, the least one is taken
-    };
-    std::vector<Candidate> candidates;
+    std::map<std::tuple<int, int, int, int>, TreeJoint> candidates;  // by rank: the first is taken
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j)
       for (const bool is_first : {true, false}) {
         const Mechanism::Joint& joint = mechanism_.joints[j];
@@ -90,29 +84,26 @@ class TreeMaker {
         if (depth_[parent] < 0 || !tree_.has_frame[parent] ||
             std::ranges::find(left, body) == left.end())
           continue;
-        const TreeForm* form = form_of(joint, body, parent);
-        if (!form) continue;
+        const std::optional<Turn> turn = turn_of(joint, body, parent);
+        if (!turn) continue;
         const int variables =
             freedoms_ - find_joint_form(joint.type, mechanism_.dimension)->freedoms_removed;
-        candidates.push_back({body,
-                              {parent, j, is_first, form->turn},
-                              {variables, -joints_of(body), depth_[parent], j}});
+        candidates[{variables, -joints_of(body), depth_[parent], j}] = {parent, j, is_first, *turn};
       }
     if (candidates.empty()) return false;
-    const Candidate& best = *std::ranges::min_element(candidates, {}, &Candidate::rank);
-    place(best.body, best.hanging);
-    std::erase(left, best.body);
+    const TreeJoint& best = candidates.begin()->second;
+    const int body = rigid_.of_body[mechanism_.joints[best.joint].bodies[best.is_first ? 0 : 1]];
+    place(body, best);
+    std::erase(left, body);
     return true;
   }
 
-  /// Returns how a body can hang on a parent by a joint; null: the joint must be cut.
-  const TreeForm* form_of(const Mechanism::Joint& j, int body, int parent) const {
+  /// Returns how a body turns that hangs on a parent by a joint; nullopt: the joint must be cut.
+  std::optional<Turn> turn_of(const Mechanism::Joint& j, int body, int parent) const {
     // Bodies with the same axes have them as drawn: neither may have a shape of its own.
     const bool has_shape = rigid_.list[body].has_shape() || rigid_.list[parent].has_shape();
-    for (const TreeForm& form : tree_forms())
-      if (form.type == j.type && form.dimension == mechanism_.dimension)
-        return (form.turn == Turn::none && has_shape) || !is_drawn_to_hang(j) ? nullptr : &form;
-    return nullptr;
+    const std::optional<Turn> turn = turn_by(j.type, mechanism_.dimension);
+    return (turn == Turn::none && has_shape) || !is_drawn_to_hang(j) ? std::nullopt : turn;
   }
 
   /// Returns false for universal joints that are not drawn at a right angle, and for planar sliding

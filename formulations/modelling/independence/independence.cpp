@@ -137,8 +137,6 @@ void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected,
 /// Returns the equations between constants. Candidates contain those that do not hold to rounding.
 /// Throws ContradictionError when one is off by more than max_misfit of its length.
 std::vector<LeftOut> constant_equations(const Model& m) {
-  const auto is_between_constants = [&m](const Constraint& c) { return is_constant(m, c); };
-  if (std::ranges::none_of(m.constraints, is_between_constants)) return {};
   const std::vector<double> state = m.state_of(m.estimate);
   const CharacteristicLengths lengths(m);
   std::vector<LeftOut> all;

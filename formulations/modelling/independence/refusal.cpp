@@ -83,11 +83,6 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
       m.length_unit);
 }
 
-/// Returns "rounding of its positions is 2e-06 of the shortest of its lengths"
-std::string unclear(double uncertain) {
-  return formatted("rounding of its positions is %.0e of the shortest of its lengths", uncertain);
-}
-
 }  // namespace
 
 void refuse_assembly(const Model& m, const GroupSystem& s, const VectorXd& phi) {
@@ -121,8 +116,10 @@ void require_determined(const Model& m, const GroupSystem& s, const SelectedRows
   if (count == s.unknowns) return;
   if (uncertainty_margin * selected.uncertain > dependent_below)
     throw std::invalid_argument(
-        where(m, s) + unclear(selected.uncertain) + ", so that it cannot be told whether '" +
-        loosest(m, s, selected) +
+        where(m, s) +
+        formatted("rounding of its positions is %.0e of the shortest of its lengths",
+                  selected.uncertain) +
+        ", so that it cannot be told whether '" + loosest(m, s, selected) +
         "' is determined; place it nearer to the origin, or let its lengths differ less");
   if (freedoms > s.drivers())
     throw std::invalid_argument(

@@ -8,7 +8,7 @@ namespace desmo {
 
 /// The independent equations of a group.
 struct SelectedRows {
-  std::vector<bool> taken;  ///< whether each row of the system is selected
+  std::vector<bool> taken;  ///< rows of the system that are selected
   /// Largest relative uncertainty of a row's derivatives by rounding of positions; 0 when enough
   /// rows are selected.
   double uncertain = 0;
@@ -35,7 +35,7 @@ class RowSelector {
   Model& m_;
   const SampledPositions& positions_;
   Linearisers& linearisers_;
-  std::vector<bool> moves_;  // whether each component of the state can move
+  std::vector<bool> moves_;  // components of the state that can move
 };
 
 }  // namespace desmo

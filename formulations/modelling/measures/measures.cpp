@@ -173,10 +173,7 @@ class Builder {
     const std::size_t place = list.size();
     add({"", wanted.name, ""}, kinds[0]);
     list.back().per = kinds[1];
-    rules.emplace_back(
-        place, [ratio = RateRatio(m_, of, driven_by_)](const Instant& instant, auto values) {
-          values[0].velocity = ratio(instant);
-        });
+    rules.emplace_back(place, rate_ratio(m_, of, driven_by_));
   }
 
   void add(PerLevel<std::string> names, EntityKind kind) {

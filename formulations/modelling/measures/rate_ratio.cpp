@@ -2,7 +2,12 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "cases/mechanism/motion.h"
 #include "cases/numbers/compensated.h"
 #include "formulations/model/scales.h"
 
@@ -21,44 +26,51 @@ bool vanishes(const Motion& motion, double time, Level level) {
   return !(std::abs(rate.mid) > rate.radius);
 }
 
+/// A driver's coordinate and, unless its rates come from rows of numbers, its motion.
+struct DriverRate {
+  int coordinate;
+  std::optional<Motion> motion;
+};
+
 }  // namespace
 
-RateRatio::RateRatio(const Model& m, const std::array<int, 2>& of, Measures::DrivenBy driven_by)
-    : of_(of), magnitude_(nominal_magnitudes(m)) {
-  for (const Driver& d : m.drivers)
-    drivers_.push_back(
-        {m.entities[d.coordinate].first, driven_by == Measures::DrivenBy::motions
-                                             ? std::make_shared<const Motion>(d.motion)
-                                             : nullptr});
-}
-
-double RateRatio::operator()(const Instant& instant) const {
-  constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-  if (instant.qd.empty()) return not_known;
-  const auto [a, b] = of_;
-  const double speed = fastest_driver(instant.qd, instant.time, Level::velocity);
-  if (!is_nothing(instant.qd, b, speed)) return instant.qd[a] / instant.qd[b];
-  if (instant.qdd.empty() || !is_nothing(instant.qd, a, speed)) return not_known;
-  const double change = fastest_driver(instant.qdd, instant.time, Level::acceleration);
-  return is_nothing(instant.qdd, b, change + speed * speed) ? not_known
-                                                            : instant.qdd[a] / instant.qdd[b];
-}
-
-/// Returns the largest rate of a driver, divided by the driver's magnitude. Rates that vanish by
-/// their motion do not count.
-double RateRatio::fastest_driver(std::span<const double> rates, double time, Level level) const {
-  double largest = 0;
-  for (const auto& [i, motion] : drivers_) {
-    const double rate = std::abs(rates[i]) / magnitude_[i];
-    if (rate > largest && !(motion && vanishes(*motion, time, level))) largest = rate;
+Measures::Rule rate_ratio(const Model& m, const std::array<int, 2>& of,
+                          Measures::DrivenBy driven_by) {
+  std::vector<DriverRate> drivers;
+  for (const Driver& d : m.drivers) {
+    drivers.push_back({m.entities[d.coordinate].first, std::nullopt});
+    if (driven_by == Measures::DrivenBy::motions) drivers.back().motion = d.motion;
   }
-  return largest;
-}
-
-/// Returns whether a rate vanishes compared with those of drivers (scale); true when these do.
-bool RateRatio::is_nothing(std::span<const double> rates, int coordinate, double scale) const {
-  return scale == 0 ||
-         std::abs(rates[coordinate]) / magnitude_[coordinate] <= Measures::min_rate * scale;
+  return [a = of[0], b = of[1], magnitude = nominal_magnitudes(m), drivers = std::move(drivers)](
+             const Instant& instant, std::span<PerLevel<double>> values) {
+    // Returns the largest rate of a driver, divided by the driver's magnitude. Rates that vanish by
+    // their motion do not count.
+    const auto fastest_driver = [&](std::span<const double> rates, Level level) {
+      double largest = 0;
+      for (const auto& [i, motion] : drivers) {
+        const double rate = std::abs(rates[i]) / magnitude[i];
+        if (rate > largest && !(motion && vanishes(*motion, instant.time, level))) largest = rate;
+      }
+      return largest;
+    };
+    // Returns whether a rate vanishes compared with those of drivers (scale); true when these do.
+    const auto is_nothing = [&](std::span<const double> rates, int coordinate, double scale) {
+      return scale == 0 ||
+             std::abs(rates[coordinate]) / magnitude[coordinate] <= Measures::min_rate * scale;
+    };
+    double& ratio = values[0].velocity;
+    ratio = std::numeric_limits<double>::quiet_NaN();  // it is not known
+    if (instant.qd.empty()) return;
+    const double speed = fastest_driver(instant.qd, Level::velocity);
+    if (!is_nothing(instant.qd, b, speed)) {
+      ratio = instant.qd[a] / instant.qd[b];
+      return;
+    }
+    if (instant.qdd.empty() || !is_nothing(instant.qd, a, speed)) return;
+    const double change = fastest_driver(instant.qdd, Level::acceleration);
+    if (!is_nothing(instant.qdd, b, change + speed * speed))
+      ratio = instant.qdd[a] / instant.qdd[b];
+  };
 }
 
 }  // namespace desmo
