@@ -18,6 +18,7 @@
 #include "formulations/algebra/blas.h"
 #include "formulations/motion/internals.h"
 #include "formulations/motion/segments.h"
+#include "tests/borrowed_part.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"
 #include "tests/everything.h"
@@ -174,16 +175,15 @@ TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
 }
 
 /// A part that does not solve its tenth step.
-class Refusing final : public Part {
+class Refusing final : public Borrowed {
  public:
-  explicit Refusing(Part& part) : part_(part) {}
+  using Borrowed::Borrowed;
   PartResult solve(State& s, std::span<const double> last, Level level) override {
     if (level == Level::acceleration && ++steps_ == 10) return {.status = Status::not_converged};
-    return part_.solve(s, last, level);
+    return Borrowed::solve(s, last, level);
   }
 
  private:
-  Part& part_;
   int steps_ = 0;
 };
 
