@@ -1,6 +1,5 @@
 #include "formulations/formulation.h"
 
-#include <stdexcept>
 #include <string>
 
 #include "cases/mechanism/formatted.h"
@@ -30,13 +29,6 @@ PartCounts part_counts(const Formulation& f) {
   PartCounts sum;
   for (const DefinedPart& part : parts_of(f)) sum += part.solver->counts();
   return sum;
-}
-
-void Formulation::solve_only(std::span<const Level> needed) {
-  if (std::ssize(needed) != model_.coordinates())
-    throw std::invalid_argument("there are " + std::to_string(needed.size()) + " levels for " +
-                                std::to_string(model_.coordinates()) + " coordinates");
-  do_solve_only(needed);
 }
 
 std::span<const double> Formulation::q() const {
