@@ -164,28 +164,5 @@ TEST(Outputs, OfAPoolAreTakenAgain) {
   EXPECT_NE(pool.take().q, b.q);
 }
 
-TEST(Outputs, AreWrittenByThreads) {
-  const TimeGrid long_grid{0, 0.005, 3000};
-  const std::vector<int> some{150, 3, 4, 149, 77};
-  for (const std::string id :
-       {"group_symbolic_explicit/segments:4", "group_symbolic_explicit/lanes:4"}) {
-    const auto serial = formulated(id, truck()), parallel = formulated(id + "/threads:2", truck());
-    const Everything whole = everything_of(*serial, long_grid);
-    for (const Level level : rate_levels) {
-      Lender lender(long_grid.instants, some, level);
-      ASSERT_TRUE(parallel->run(long_grid, {Level::acceleration, some}, lender).ok());
-      EXPECT_EQ(stepping_of(*parallel).runs_without_segments(), 0);
-      EXPECT_EQ(lender.instants, long_grid.instants);
-      for (int i = 0; i < long_grid.instants; ++i)
-        for (std::size_t n = 0; n < some.size(); ++n) {
-          EXPECT_NEAR(lender.values(i)[n], whole.all[i][some[n]], 1e-10) << i;
-          EXPECT_NEAR(lender.values(i)[some.size() + n],
-                      whole.all[i][truck().coordinates() + some[n]], 1e-8)
-              << i;
-        }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace desmo::outputs_test
