@@ -82,7 +82,7 @@ TEST(Elementary, LanesAgreeWithScalars) {
   }
 }
 
-/// However many lanes are used, and wherever runs of numbers are interrupted: by one without a
+/// Any number of lanes is used, and runs of numbers are interrupted anywhere: by one without a
 /// place, or with a place in some lanes only.
 TEST(Lanes, GoToPlacesOfTheirOwn) {
   constexpr int numbers = 23, apart = 40, untouched = -1;

@@ -58,7 +58,7 @@ TEST_P(OnLanes, OutputsHoldWhatObserversAreShown) {
   }
 }
 
-/// Whatever is left out of the axles that they drive.
+/// The axles that they drive are left out.
 TEST_P(OnLanes, OutputsHoldDriversAtEveryLevel) {
   const auto f = make(), g = make();
   std::vector<int> drivers;
@@ -70,7 +70,7 @@ TEST_P(OnLanes, OutputsHoldDriversAtEveryLevel) {
   expect_in_outputs(lender, drivers, Level::acceleration, whole.all);
 }
 
-/// Whether it lends memory or not.
+/// The observer lends memory, or none.
 TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
   const int n = truck().coordinates();
   const std::vector<int> asked{n - 1, 40, 151};
@@ -92,7 +92,7 @@ TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
   }
 }
 
-/// Up to the instant before which an axle is driven out of its reach.
+/// An axle is driven out of its reach.
 TEST_P(OnLanes, PositionsAreAsTheyWereBehindARunThatFails) {
   Model m = truck();
   const int last = 20;

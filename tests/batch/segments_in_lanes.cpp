@@ -44,7 +44,7 @@ TEST(SegmentsInLanes, SolveWhatStepsSolve) {
       }
 }
 
-/// And what is asked of a part of the coordinates is right there.
+/// Runs that ask for a part of the coordinates have the right values there.
 class OnTheCases : public testing::TestWithParam<Settings> {};
 
 TEST_P(OnTheCases, SegmentsNeedNoSteps) {

@@ -21,7 +21,7 @@
 namespace desmo::explicit_test {
 namespace {
 
-/// What is said of its order above the code of every type, by the name of its kernel.
+/// Returns the comment on its order above the code of every type, by the name of its kernel.
 const std::map<std::string, std::string>& orders() {
   static const std::map<std::string, std::string> all = [] {
     constexpr std::string_view begin = "namespace ", comment = "//";
@@ -157,7 +157,7 @@ TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
   }
 }
 
-/// An angle beyond: the driver's sine is not evaluated by explicit code, and nothing is lost.
+/// Explicit code does not evaluate the driver's sine so far away, and nothing is lost.
 TEST(Explicit, LeavesAnglesFarAwayToOthers) {
   const Model m = four_bar_model(2);
   const auto f = formulated("group_symbolic_explicit", m),

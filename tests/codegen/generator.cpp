@@ -31,7 +31,7 @@ TEST(PartTypes, AreEqualForTwinsAndDifferOtherwise) {
 
 using Generate = InFolder;
 
-/// What was compiled is what it writes again.
+/// The generator writes again what was compiled.
 TEST_F(Generate, WritesTheSameBytesEveryTime) {
   const std::filesystem::path compiled = std::filesystem::path(DESMO_GENERATE).parent_path(),
                               folder = folder_ / "kernels";

@@ -1,4 +1,4 @@
-// Where Newton–Raphson starts: less work for the same answers, and nothing predicted from what was
+// The start of Newton–Raphson: less work for the same answers, and nothing predicted from what was
 // not solved.
 
 #include "formulations/motion/prediction/guess.h"

@@ -125,7 +125,7 @@ TEST(Predictor, DoesWithTwoInstantsUntilFourAreKnown) {
       << "there and back";
 }
 
-/// What is left of an error in an earlier position: nothing. The quintic magnifies it 31 times.
+/// Nothing is left of an error in an earlier position. The quintic magnifies it 31 times.
 TEST(Predictor, MagnifiesNoErrorsOfEarlierPositions) {
   const auto shifted = [](Guess guess, int instant) {
     const auto walked = [&](double by) {

@@ -103,7 +103,7 @@ std::vector<const Backend*> all_backends() { return {backends().begin(), backend
 INSTANTIATE_TEST_SUITE_P(Table, EveryBackend, testing::ValuesIn(all_backends()),
                          [](const auto& info) { return std::string(info.param->name); });
 
-/// As many blocks as KLU finds, or one; and the same solution.
+/// KLU factorises the blocks that it finds, or one; the solution is the same.
 TEST(Klu, LeavesOutTheBlocksOfAMatrix) {
   const Pattern triangle{3, {0, 1, 2}, {0, 2, 4, 5}, {0, 1, 1, 2, 2}, {}};
   const double values[] = {2, 1, 4, 3, 5};

@@ -18,8 +18,8 @@
 namespace desmo::steps_test {
 namespace {
 
-/// What needs sub-steps of a 300th is led on; what needs those of a 3000th is given up, for it
-/// would take as many.
+/// A motion that needs sub-steps of a 300th is led on. One that needs those of a 3000th is given
+/// up: it would take as many.
 TEST(SubSteps, AreHalvedToAThousandth) {
   for (const double longest : {1. / 300, 1. / 3000}) {
     double reached = 0;
