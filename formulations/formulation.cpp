@@ -42,10 +42,8 @@ std::span<const double> Formulation::qdd() const {
 }
 
 double Formulation::value(const std::string& name, Level level) const {
-  const std::span<const double> values = level == Level::position   ? q()
-                                         : level == Level::velocity ? qd()
-                                                                    : qdd();
-  return model_.value(name, values, level);
+  const PerLevel<std::span<const double>> values{q(), qd(), qdd()};
+  return model_.value(name, values[level], level);
 }
 
 std::string describe(const Summary& s, const Model& m) {
