@@ -7,11 +7,9 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "formulations/base/output_writer.h"
-#include "formulations/motion/internals.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/lender.h"
