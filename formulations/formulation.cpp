@@ -1,6 +1,5 @@
 #include "formulations/formulation.h"
 
-#include <stdexcept>
 #include <string>
 
 #include "cases/mechanism/formatted.h"
@@ -32,13 +31,6 @@ PartCounts part_counts(const Formulation& f) {
   return sum;
 }
 
-void Formulation::solve_only(std::span<const Level> needed) {
-  if (std::ssize(needed) != model_.coordinates())
-    throw std::invalid_argument("there are " + std::to_string(needed.size()) + " levels for " +
-                                std::to_string(model_.coordinates()) + " coordinates");
-  do_solve_only(needed);
-}
-
 std::span<const double> Formulation::q() const {
   return std::span(stepping_of(*this).state().q).first(model_.coordinates());
 }
@@ -50,10 +42,8 @@ std::span<const double> Formulation::qdd() const {
 }
 
 double Formulation::value(const std::string& name, Level level) const {
-  const std::span<const double> values = level == Level::position   ? q()
-                                         : level == Level::velocity ? qd()
-                                                                    : qdd();
-  return model_.value(name, values, level);
+  const PerLevel<std::span<const double>> values{q(), qd(), qdd()};
+  return model_.value(name, values[level], level);
 }
 
 std::string describe(const Summary& s, const Model& m) {

@@ -43,7 +43,7 @@ class Formulation {
   /// and the next step assembles. Neither this nor step() throws, unless memory runs out. A step
   /// after this one, or after another step, takes no heap memory if it succeeds without sub-steps;
   /// a library of linear algebra may take some.
-  Summary assemble(double t, Level level = Level::acceleration) { return do_assemble(t, level); }
+  virtual Summary assemble(double t, Level level = Level::acceleration) = 0;
 
   /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
   /// Assembles where nothing was solved before, or the last assembly failed. After any other
@@ -51,7 +51,7 @@ class Formulation {
   /// unspecified. Where earlier instants were solved to lower levels than Settings::guess needs, a
   /// simpler guess replaces it. t may be any number: an earlier one goes back, and the one of the
   /// last instant solves that again. NaN or an infinite t fails, usually as Status::not_finite.
-  Summary step(double t, Level level = Level::acceleration) { return do_step(t, level); }
+  virtual Summary step(double t, Level level = Level::acceleration) = 0;
 
   /// Runs through the motion that the model's drivers have: assembles at the first instant of the
   /// grid, solves the others as the settings say, and hands each to the observer. Stops at the
@@ -69,7 +69,7 @@ class Formulation {
   /// - needed: the level of each coordinate, as Plan::levels has them. A coordinate that a part
   ///   reads must have the part's level or a higher one.
   /// Throws std::invalid_argument where `needed` has not one level for each coordinate.
-  void solve_only(std::span<const Level> needed);
+  virtual void solve_only(std::span<const Level> needed) = 0;
 
   const Model& model() const { return model_; }
 
@@ -100,10 +100,6 @@ class Formulation {
   friend class TimeStepping;
   Formulation(const Model& model, const Settings& settings, double tolerance)
       : model_(model), settings_(settings), tolerance_(tolerance) {}
-
-  virtual Summary do_assemble(double t, Level level) = 0;
-  virtual Summary do_step(double t, Level level) = 0;
-  virtual void do_solve_only(std::span<const Level> needed) = 0;
 
   const Model& model_;
   const Settings settings_;

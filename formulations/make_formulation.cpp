@@ -105,40 +105,32 @@ Settings share_of(Settings whole, std::size_t parts) {
   return whole;
 }
 
-// Declared here, since make_segments_on_threads() calls it: a thread's solver is made like the
-// whole, and may have segments in lanes. Its settings ask for one thread, which ends the recursion.
+// Declared here, since make_segments() calls it: a thread's solver is made like the whole, and may
+// have segments in lanes. Its settings ask for one thread, which ends the recursion.
 std::unique_ptr<TimeStepping> make_solver(const Variant& v, const Model& m,
                                           const Settings& settings, Profile* profile,
                                           const KernelTable& table);
 
-/// Makes the executor of segments on threads. Each thread has a solver of its own, which takes one
-/// segment after the other.
-std::unique_ptr<SegmentExecutor> make_segments_on_threads(const Common& common,
-                                                          const Settings& settings) {
-  Settings of_worker = settings;
-  of_worker.threads = of_worker.stride = 1;
-  std::vector<std::unique_ptr<TimeStepping>> workers(settings.threads);
-  for (auto& worker : workers)
-    worker = make_solver(common.variant, common.model, of_worker, nullptr, common.table);
-  return std::make_unique<SegmentsOnThreads>(std::move(workers), min_segment * settings.segments);
-}
-
-/// Makes the executor of segments in lanes. Each lane solves one segment with parts of its own.
-std::unique_ptr<SegmentExecutor> make_segments_in_lanes(
-    const Common& common, const std::vector<PartDefinition>& definitions,
-    const Settings& settings) {
-  std::vector<SegmentsInLanes::Parts> lanes(settings.segments);
-  for (SegmentsInLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
-  return std::make_unique<SegmentsInLanes>(common.model, std::move(lanes), settings, common.table);
-}
-
-/// Makes the executor that solves segments of a motion at once. Returns null where the settings ask
-/// for none.
+/// Makes the executor that solves segments of a motion at once: on threads, each with a solver that
+/// takes one segment, or in lanes, each with parts of its own. Returns null where the settings ask
+/// for neither.
 std::unique_ptr<SegmentExecutor> make_segments(const Common& common,
                                                const std::vector<PartDefinition>& definitions,
                                                const Settings& settings) {
-  if (settings.threads > 1) return make_segments_on_threads(common, settings);
-  if (settings.segments > 1) return make_segments_in_lanes(common, definitions, settings);
+  if (settings.threads > 1) {
+    Settings of_worker = settings;
+    of_worker.threads = of_worker.stride = 1;
+    std::vector<std::unique_ptr<TimeStepping>> workers(settings.threads);
+    for (auto& worker : workers)
+      worker = make_solver(common.variant, common.model, of_worker, nullptr, common.table);
+    return std::make_unique<SegmentsOnThreads>(std::move(workers), min_segment * settings.segments);
+  }
+  if (settings.segments > 1) {
+    std::vector<SegmentsInLanes::Parts> lanes(settings.segments);
+    for (SegmentsInLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
+    return std::make_unique<SegmentsInLanes>(common.model, std::move(lanes), settings,
+                                             common.table);
+  }
   return nullptr;
 }
 

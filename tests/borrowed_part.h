@@ -4,8 +4,8 @@
 
 namespace desmo {
 
-/// A pivoting fallback that forwards solve() to a part of another formulation.
-class Borrowed final : public Part {
+/// A part, such as a pivoting fallback, that forwards solve() to a part of another formulation.
+class Borrowed : public Part {
  public:
   explicit Borrowed(Part& part) : part_(part) {}
   PartResult solve(State& s, std::span<const double> last, Level level) override {

@@ -21,6 +21,7 @@ class Lender : public Observer {
 
   Flow observe(const Instant& instant) noexcept override {
     ++instants;
+    updates += instant.updates;
     threads.insert(std::this_thread::get_id());
     const double* const lent = values_.at(instant.index).data();
     EXPECT_EQ(instant.q.data(), lent);
@@ -44,6 +45,7 @@ class Lender : public Observer {
   static constexpr double untouched = -77;
   int stop_at = -1;
   int instants = 0, asked = 0, restarts = 0;
+  long updates = 0;                   // sum over the instants
   std::set<std::thread::id> threads;  // threads that delivered instants
 
  private:

@@ -107,8 +107,7 @@ class Cholmod final : public LinearSolver {
 
 }  // namespace
 
-extern const Backend cholmod_backend;
-const Backend cholmod_backend{
+extern const Backend cholmod_backend{
     .name = "cholmod",
     .make_solver = &make_solver<Cholmod>,
     .version =

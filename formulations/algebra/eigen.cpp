@@ -1,8 +1,5 @@
 // Dense LU with partial pivoting by Eigen.
 
-// Eigen keeps the packed blocks of its matrix products on the stack up to this size [bytes]. Larger
-// ones would be on the heap, which a timed loop must not use.
-#define EIGEN_STACK_ALLOCATION_LIMIT (4 * 1024 * 1024)
 #include <Eigen/LU>
 
 #include "formulations/algebra/backend.h"
@@ -37,8 +34,7 @@ class EigenLu {
 
 }  // namespace
 
-extern const Backend eigen_backend;
-const Backend eigen_backend{
+extern const Backend eigen_backend{
     .name = "eigen", .dense = true, .make_solver = &make_solver<Dense<EigenLu>>, .version = [] {
       return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
     }};

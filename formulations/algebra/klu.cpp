@@ -5,8 +5,7 @@
 
 namespace desmo {
 
-extern const Backend klu_backend;
-const Backend klu_backend{
+extern const Backend klu_backend{
     .name = "klu",
     .make_solver = [](const Pattern& pattern,
                       const Settings& settings) -> std::unique_ptr<LinearSolver> {

@@ -50,8 +50,7 @@ BlasEnvironment blas_environment() { return {openblas_get_corename(), openblas_g
 
 void set_blas_threads(int threads) { openblas_set_num_threads(threads); }
 
-extern const Backend lapack_backend;
-const Backend lapack_backend{
+extern const Backend lapack_backend{
     .name = "lapack", .dense = true, .make_solver = &make_solver<Dense<Lapack>>, .version = [] {
       return std::string(openblas_get_config());
     }};

@@ -168,10 +168,9 @@ class Ma27 final : public LinearSolver {
 
 }  // namespace
 
-extern const Backend ma27_backend;
-const Backend ma27_backend{.name = "ma27",
-                           .make_solver = &make_solver<Ma27>,
-                           .version = [] { return coinhsl().version; },
-                           .absence = [] { return coinhsl().absence; }};
+extern const Backend ma27_backend{.name = "ma27",
+                                  .make_solver = &make_solver<Ma27>,
+                                  .version = [] { return coinhsl().version; },
+                                  .absence = [] { return coinhsl().absence; }};
 
 }  // namespace desmo

@@ -42,8 +42,7 @@ class SparseLu final : public LinearSolver {
 
 }  // namespace
 
-extern const Backend sparselu_backend;
-const Backend sparselu_backend{
+extern const Backend sparselu_backend{
     .name = "sparselu",
     .make_solver = &make_solver<SparseLu>,
     .version =

@@ -74,8 +74,7 @@ class Spqr final : public LinearSolver {
 
 }  // namespace
 
-extern const Backend spqr_backend;
-const Backend spqr_backend{
+extern const Backend spqr_backend{
     .name = "spqr",
     .make_solver = &make_solver<Spqr>,
     .version =

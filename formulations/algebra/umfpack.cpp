@@ -63,15 +63,14 @@ class Umfpack final : public LinearSolver {
 
 }  // namespace
 
-extern const Backend umfpack_backend;
-const Backend umfpack_backend{.name = "umfpack",
-                              .make_solver = &make_solver<Umfpack>,
-                              .version =
-                                  [] {
-                                    return version_text(UMFPACK_MAIN_VERSION, UMFPACK_SUB_VERSION,
-                                                        UMFPACK_SUBSUB_VERSION);
-                                  },
-                              .allocates = true,
-                              .slow_blocks_reason = slow_in_blocks};
+extern const Backend umfpack_backend{
+    .name = "umfpack",
+    .make_solver = &make_solver<Umfpack>,
+    .version =
+        [] {
+          return version_text(UMFPACK_MAIN_VERSION, UMFPACK_SUB_VERSION, UMFPACK_SUBSUB_VERSION);
+        },
+    .allocates = true,
+    .slow_blocks_reason = slow_in_blocks};
 
 }  // namespace desmo

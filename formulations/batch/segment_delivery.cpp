@@ -58,6 +58,8 @@ void SegmentsInLanes::deliver(const TimeGrid& grid, int length, int i, Level lev
                           .residual = std::sqrt(residual2_[l]),
                           .output = lent[l]};
     ++total.instants;
+    total.iterations += step.iterations;
+    total.updates += step.updates;
     total.stopped = observer.observe(instant) == Flow::stop;
     if (total.stopped) return;
   }

@@ -74,8 +74,6 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
     max_residual2 = std::max(max_residual2, *std::ranges::max_element(residual2_));
     if (i == 0) first_positions_ = state_.now().q;
     if (i == length) break;
-    total.iterations += static_cast<long>(step.iterations) * lanes_;
-    total.updates += step.updates * lanes_;
     deliver(grid, length, i, request.level, step, observer, total);
     if (total.stopped) break;
   }

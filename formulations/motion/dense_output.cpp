@@ -119,7 +119,7 @@ Summary TimeStepping::run_with_stride(const TimeGrid& grid, const Request& reque
   if (total.ok() && !total.stopped &&
       all.delivered() < grid.instants) {  // the last interval may be shorter than the stride
     const double t = grid.time(grid.instants - 1);
-    const Summary last = do_step(t, Level::acceleration);
+    const Summary last = step(t, Level::acceleration);
     total.add(last);
     if (last.ok())
       total.stopped = all.observe({.index = solved.instants,

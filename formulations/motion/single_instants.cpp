@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-Summary TimeStepping::do_step(double t, Level level) {
+Summary TimeStepping::step(double t, Level level) {
   set_read_outside({});
   return assemble_or_step(t, level);
 }
@@ -32,7 +32,7 @@ void TimeStepping::return_to(std::span<const double> q, double t) {
   now_.time = t;
 }
 
-Summary TimeStepping::do_assemble(double t, Level level) {
+Summary TimeStepping::assemble(double t, Level level) {
   set_read_outside({});
   return assemble_from_estimate(t, level);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "formulations/motion/diagnosis.h"
@@ -37,7 +39,10 @@ void TimeStepping::prepare() {
   read_outside_.reset();
 }
 
-void TimeStepping::do_solve_only(std::span<const Level> needed) {
+void TimeStepping::solve_only(std::span<const Level> needed) {
+  if (std::ssize(needed) != model().coordinates())
+    throw std::invalid_argument("there are " + std::to_string(needed.size()) + " levels for " +
+                                std::to_string(model().coordinates()) + " coordinates");
   if (settings().stride > 1) return;  // interpolation needs all levels
   if (executor_) executor_->solve_only(needed);
   sequence_.solve_only(needed);
@@ -65,7 +70,7 @@ Summary TimeStepping::run(const TimeGrid& grid, const Request& request, Observer
 /// Solves every instant of a grid: in segments where there are any that meet, else step by step.
 Summary TimeStepping::solve_all(const TimeGrid& grid, const Request& request, Observer& observer) {
   if (executor_) {
-    if (grid.instants > 0 && do_assemble(grid.time(0), request.level).ok())
+    if (grid.instants > 0 && assemble(grid.time(0), request.level).ok())
       if (const std::optional<Summary> total = solve_segments(grid, request, observer))
         return *total;
     ++runs_without_segments_;

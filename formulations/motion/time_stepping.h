@@ -31,7 +31,10 @@ class TimeStepping final : public Formulation {
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings,
                std::unique_ptr<SegmentExecutor> executor = nullptr);
 
+  Summary assemble(double t, Level level) override;
+  Summary step(double t, Level level) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
+  void solve_only(std::span<const Level> needed) override;
 
   /// Goes to time t [s] of the motion without solving the instants before, by continuation. Drivers
   /// move linearly from the positions q to where they are at t. q: Model::coordinates() values or
@@ -86,10 +89,6 @@ class TimeStepping final : public Formulation {
     std::vector<int> coordinates;  // empty: all
     bool lent;  // they are read in memory that the observer lends; false: in the state
   };
-
-  Summary do_assemble(double t, Level level) override;
-  Summary do_step(double t, Level level) override;
-  void do_solve_only(std::span<const Level> needed) override;
 
   void prepare();
   void forget();

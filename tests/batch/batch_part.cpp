@@ -66,7 +66,7 @@ class Pieces : public ::testing::Test {
     return are_alike(of_a, of_b);
   }
 
-  /// Of each position in the state.
+  /// Returns the origin of each position in the state.
   std::vector<StateKind> kinds() const {
     std::vector<StateKind> result(model_.state_size(), StateKind::constant);
     std::fill_n(result.begin(), model_.coordinates(), StateKind::solved);

@@ -82,32 +82,7 @@ TEST(Elementary, LanesAgreeWithScalars) {
   }
 }
 
-/// Any number of them, in any order, to arrays that begin anywhere and end behind the last.
-TEST(Lanes, AreTakenApart) {
-  constexpr std::size_t most = 37;
-  for (const int lanes : lanes_here()) {
-    LaneValues from(most * lanes);
-    for (std::size_t i = 0; i < from.size(); ++i) from[i] = static_cast<double>(i);
-    for (std::size_t size = 0; size <= most; ++size) {
-      std::vector<int> offsets;
-      for (std::size_t n = 0; n < size; ++n)
-        offsets.push_back(static_cast<int>(n * 5 % most) * lanes);
-      std::vector<std::vector<double>> to(lanes);
-      std::vector<double*> begins;
-      for (int l = 0; l < lanes; ++l) {
-        to[l].assign(size + l + 1, -1.0);
-        begins.push_back(to[l].data() + l);
-      }
-      unpack(from.data(), offsets, begins);
-      for (int l = 0; l < lanes; ++l) {
-        for (std::size_t n = 0; n < size; ++n) ASSERT_EQ(to[l][l + n], offsets[n] + l) << size;
-        EXPECT_EQ(to[l].back(), -1.0) << size;
-      }
-    }
-  }
-}
-
-/// However many lanes are used, and wherever runs of numbers are interrupted: by one without a
+/// Any number of lanes is used, and runs of numbers are interrupted anywhere: by one without a
 /// place, or with a place in some lanes only.
 TEST(Lanes, GoToPlacesOfTheirOwn) {
   constexpr int numbers = 23, apart = 40, untouched = -1;

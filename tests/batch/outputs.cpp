@@ -7,11 +7,9 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "formulations/base/output_writer.h"
-#include "formulations/motion/internals.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/lender.h"
@@ -58,7 +56,7 @@ TEST_P(OnLanes, OutputsHoldWhatObserversAreShown) {
   }
 }
 
-/// Whatever is left out of the axles that they drive.
+/// The axles that they drive are left out.
 TEST_P(OnLanes, OutputsHoldDriversAtEveryLevel) {
   const auto f = make(), g = make();
   std::vector<int> drivers;
@@ -70,7 +68,7 @@ TEST_P(OnLanes, OutputsHoldDriversAtEveryLevel) {
   expect_in_outputs(lender, drivers, Level::acceleration, whole.all);
 }
 
-/// Whether it lends memory or not.
+/// The observer lends memory, or none.
 TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
   const int n = truck().coordinates();
   const std::vector<int> asked{n - 1, 40, 151};
@@ -92,7 +90,7 @@ TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
   }
 }
 
-/// Up to the instant before which an axle is driven out of its reach.
+/// An axle is driven out of its reach.
 TEST_P(OnLanes, PositionsAreAsTheyWereBehindARunThatFails) {
   Model m = truck();
   const int last = 20;
@@ -162,29 +160,6 @@ TEST(Outputs, OfAPoolAreTakenAgain) {
   EXPECT_EQ(again.q, a.q);
   EXPECT_EQ(again.q[4], 1);
   EXPECT_NE(pool.take().q, b.q);
-}
-
-TEST(Outputs, AreWrittenByThreads) {
-  const TimeGrid long_grid{0, 0.005, 3000};
-  const std::vector<int> some{150, 3, 4, 149, 77};
-  for (const std::string id :
-       {"group_symbolic_explicit/segments:4", "group_symbolic_explicit/lanes:4"}) {
-    const auto serial = formulated(id, truck()), parallel = formulated(id + "/threads:2", truck());
-    const Everything whole = everything_of(*serial, long_grid);
-    for (const Level level : rate_levels) {
-      Lender lender(long_grid.instants, some, level);
-      ASSERT_TRUE(parallel->run(long_grid, {Level::acceleration, some}, lender).ok());
-      EXPECT_EQ(stepping_of(*parallel).runs_without_segments(), 0);
-      EXPECT_EQ(lender.instants, long_grid.instants);
-      for (int i = 0; i < long_grid.instants; ++i)
-        for (std::size_t n = 0; n < some.size(); ++n) {
-          EXPECT_NEAR(lender.values(i)[n], whole.all[i][some[n]], 1e-10) << i;
-          EXPECT_NEAR(lender.values(i)[some.size() + n],
-                      whole.all[i][truck().coordinates() + some[n]], 1e-8)
-              << i;
-        }
-    }
-  }
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(SegmentsInLanes, SolveWhatStepsSolve) {
       }
 }
 
-/// And what is asked of a part of the coordinates is right there.
+/// Runs that ask for a part of the coordinates have the right values there.
 class OnTheCases : public testing::TestWithParam<Settings> {};
 
 TEST_P(OnTheCases, SegmentsNeedNoSteps) {
@@ -67,7 +67,8 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
   }
 }
 
-/// Borrowed for as many instants at once as may be, up to the end of the segments.
+/// Memory is borrowed for as many instants at once as may be, up to the end of the segments.
+/// Eleven coordinates are taken out of lanes as eight or twice four, two and one.
 TEST_P(OnTheCases, OutputsHoldWhatIsRequested) {
   const Model m = truck_model(2);
   const auto f = formulated("group_symbolic_explicit", m, GetParam());
@@ -76,10 +77,12 @@ TEST_P(OnTheCases, OutputsHoldWhatIsRequested) {
   const Everything whole = everything_of(*f, grid);
   for (const Level level : all_levels)
     for (const std::vector<int>& some :
-         {std::vector{7}, std::vector{m.coordinates() - 1, 3, 4, 5, 20, 2, 50}})
+         {std::vector{7}, std::vector{m.coordinates() - 1, 3, 4, 5, 20, 2, 50, 51, 100, 99, 8}})
       for (const int steps : {1, 3, length, 2 * length}) {
         Lender lender(grid.instants, some, level, lanes * steps);
-        ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, lender).ok());
+        const Summary s = f->run(grid, {Level::acceleration, some}, lender);
+        ASSERT_TRUE(s.ok());
+        EXPECT_EQ(s.updates, lender.updates);  // lanes past the end do not count
         expect_in_outputs(lender, some, level, whole.all);
         EXPECT_EQ(lender.asked, (length + steps - 1) / steps);
       }
@@ -111,21 +114,20 @@ TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
 }
 
 /// A part that compares the last positions of a step, those of all coordinates, with where it was.
-class Remembering final : public Part {
+class Remembering final : public Borrowed {
  public:
-  Remembering(Part& part, int& steps) : part_(part), steps_(steps) {}
+  Remembering(Part& part, int& steps) : Borrowed(part), steps_(steps) {}
   PartResult solve(State& s, std::span<const double> last, Level level) override {
     if (level == Level::acceleration) {
       EXPECT_TRUE(std::ranges::equal(last, now_));
       ++steps_;
     }
-    const PartResult result = part_.solve(s, last, level);
+    const PartResult result = Borrowed::solve(s, last, level);
     now_ = s.q;
     return result;
   }
 
  private:
-  Part& part_;
   int& steps_;
   std::vector<double> now_;
 };

@@ -18,6 +18,7 @@
 #include "formulations/algebra/blas.h"
 #include "formulations/motion/internals.h"
 #include "formulations/motion/segments.h"
+#include "tests/borrowed_part.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"
 #include "tests/everything.h"
@@ -80,7 +81,8 @@ TEST(SegmentsOnThreads, IsSolvedByAsManyThreadsAsAskedFor) {
     }
 }
 
-/// Whichever thread is first: to the last bit, in order of time for who needs it.
+/// Results are the same to the last bit whichever thread is first. They come in order of time for
+/// an observer that needs it.
 TEST(SegmentsOnThreads, DoesNotDependOnWhoIsFirst) {
   const Model m = truck_model(2);
   const auto f = formulated("group_symbolic_explicit/guess:hermite5/threads:3", m);
@@ -137,8 +139,8 @@ TEST(Segments, FailAsStepsFail) {
   }
 }
 
-/// What a tolerance of 1e-7 leaves is no other branch; a way of 1e-5 to one is short, but no
-/// rounding.
+/// The errors that a tolerance of 1e-7 leaves are no other branch. A way of 1e-5 to another branch
+/// is short, but no rounding.
 TEST(Segments, MeetWithinAMillionthOfTheirSize) {
   const Model m = four_bar_model(1);
   const int angle = m.entities[m.find("dyad1/psi")].first, x = m.entities[m.find("dyad1/C")].first;
@@ -174,16 +176,15 @@ TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
 }
 
 /// A part that does not solve its tenth step.
-class Refusing final : public Part {
+class Refusing final : public Borrowed {
  public:
-  explicit Refusing(Part& part) : part_(part) {}
+  using Borrowed::Borrowed;
   PartResult solve(State& s, std::span<const double> last, Level level) override {
     if (level == Level::acceleration && ++steps_ == 10) return {.status = Status::not_converged};
-    return part_.solve(s, last, level);
+    return Borrowed::solve(s, last, level);
   }
 
  private:
-  Part& part_;
   int steps_ = 0;
 };
 

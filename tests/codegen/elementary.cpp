@@ -34,7 +34,7 @@ TEST(Elementary, FunctionsAgreeWithTheStandardLibrary) {
       }
 }
 
-/// What the reduction would make of these is nothing to be trusted, and so refused.
+/// The reduction of these would not be accurate, so it is refused.
 TEST(Elementary, FunctionsAreNotANumberFarAway) {
   for (const double x : {1e7, -1e9, std::numeric_limits<double>::infinity(),
                          std::numeric_limits<double>::quiet_NaN()}) {
@@ -49,7 +49,7 @@ elementary::TurnedAngle<double> turned(double y, double x, double before, Anchor
   return elementary::turned_angle<double>(y, x, before, anchor.data());
 }
 
-/// Whatever the anchor is: none, the last angle, that of a while ago, or one turns away.
+/// The anchor is none, the last angle, that of a while ago, or one turns away.
 TEST(Elementary, AnglesStayNearTheirLastValue) {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> uniform(-40, 40), small(-0.2, 0.2), large(-3.1, 3.1),

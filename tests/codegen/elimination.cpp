@@ -72,7 +72,7 @@ TEST(Elimination, TakesConstantPivotsFirstAndMonitorsTheOthers) {
   EXPECT_NEAR(graph.samples(e.monitors()[0].pivot.id())[0], 1 - 0.5 * 0.7, 1e-15);
 }
 
-/// Whether all monitors trust the elimination at a sample.
+/// Returns whether all monitors trust the elimination at a sample.
 bool is_trusted(const Elimination& e, std::size_t sample) {
   const auto size = [&](Expr value) { return std::abs(value.samples()[sample]); };
   for (const PivotMonitor& m : e.monitors()) {

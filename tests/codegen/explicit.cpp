@@ -21,7 +21,7 @@
 namespace desmo::explicit_test {
 namespace {
 
-/// What is said of its order above the code of every type, by the name of its kernel.
+/// Returns the comment on its order above the code of every type, by the name of its kernel.
 const std::map<std::string, std::string>& orders() {
   static const std::map<std::string, std::string> all = [] {
     constexpr std::string_view begin = "namespace ", comment = "//";
@@ -122,37 +122,17 @@ TEST(Explicit, IsRightHoweverLargeOrSmallLengthsAre) {
     }
 }
 
-/// A dyad whose coupler and rocker nearly align: roots and divisors vanish in the middle of the
-/// motion, and accuracy must not.
-TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
-  Model m = four_bar_model(1);
-  // ‖D − B‖ is largest, 8, where the crank points away from D: links of 4 and 4 + δ just reach.
-  const double delta = 1e-9;
-  for (Constraint& c : m.constraints)
-    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = (4 + delta) * (4 + delta);
-  for (Constraint& c : m.constraints)
-    if (c.name.find("psi") != std::string::npos) c.constants[0] = 4;
-  const int c = m.entities[m.find("dyad1/C")].first;
-  m.estimate[c] = 3.5;
-  m.estimate[c + 1] = 3;
-  const auto f = formulated("group_symbolic_explicit", m),
-             g = formulated("group_automatic_eigen", m);
-  const double start = std::numbers::pi / 3, worst = std::numbers::pi - start;
-  int compared = 0;
-  for (const double t :
-       {0.0, worst - 0.4, worst - 0.1, worst - 0.01, worst - 1e-3, worst - 1e-4, worst - 1e-5}) {
-    const Summary a = f->step(t), b = g->step(t);
-    ASSERT_EQ(a.ok(), b.ok()) << t << " " << describe(a, m) << " " << describe(b, m);
-    if (!a.ok()) break;
-    EXPECT_LT(a.residual, 1e-10);
-    // Conditioned by the distance from the singular position, the same for both.
-    const double conditioning = 1 / (worst - t);
-    EXPECT_LT(max_difference(f->q(), g->q()), 1e-10 * conditioning) << t;
-    EXPECT_LT(max_difference(f->qd(), g->qd()), 1e-9 * conditioning * conditioning) << t;
-    ++compared;
-  }
-  EXPECT_GE(compared, 5);
-  EXPECT_GT(part_counts(*f).fallbacks, 0);
+/// At the last instant coupler and rocker are nearly in line. The square of the sine of their angle
+/// is 1.1e-9 there, a ninth of what the code accepts, and 2e-7 at the instant before. The table of
+/// extremes says whether accuracy suffers.
+TEST(Explicit, LeavesNearlySingularPositionsToPivoting) {
+  const DyadChain chain = extremes::one_dyad(2, std::numbers::pi - 1e-2, 6, 5, 3 + 1e-9);
+  const Scene scene = extremes::case_of("", chain, 1e-2 - 1e-5, {0, 0.05, 21}).scene;
+  const Model m = make_model(scene);
+  const auto f = formulated("group_symbolic_explicit", m);
+  Discard observer;
+  ASSERT_TRUE(f->run(scene.grid, {}, observer).ok());
+  EXPECT_EQ(part_counts(*f).fallbacks, 1);
 }
 
 TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
@@ -177,7 +157,7 @@ TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
   }
 }
 
-/// An angle beyond: the driver's sine is not evaluated by explicit code, and nothing is lost.
+/// Explicit code does not evaluate the driver's sine so far away, and nothing is lost.
 TEST(Explicit, LeavesAnglesFarAwayToOthers) {
   const Model m = four_bar_model(2);
   const auto f = formulated("group_symbolic_explicit", m),

@@ -98,7 +98,7 @@ TEST_F(Chains, SolveNothingBeforeEveryMemberHasAPosition) {
   EXPECT_EQ(chain->solve(s, 0, Level::acceleration).solved, 0);
 }
 
-/// Whichever it is, first and last among them.
+/// The refused member is any, first and last among them.
 TEST_F(Chains, GoOnBehindAMemberThatIsRefused) {
   constexpr int steps = 20;
   const auto expected = make_formulation(find_variant("group_symbolic_explicit"), m_, settings_);

@@ -147,7 +147,7 @@ TEST_F(Expressions, AreWrittenWithTheParenthesesTheyNeed) {
   EXPECT_EQ(written(x + -2.5), "x + (-2.5)");
 }
 
-/// So that only one operation waits for it.
+/// Then only one operation waits for it.
 TEST_F(Expressions, TakeLastWhatIsKnownLate) {
   EXPECT_EQ(written(sqrt(x) * y + (x - y * 2.0)), "x - y * 2.0 + y * std::sqrt(x)");
   EXPECT_EQ(written(sqrt(x) * (y * (x + 1.0))), "y * (x + 1.0) * std::sqrt(x)");
@@ -158,7 +158,7 @@ TEST_F(Expressions, TakeLastWhatIsKnownLate) {
   EXPECT_EQ(emitter.text(x + y * 2.0), "y * 2.0 + x");
 }
 
-/// What has a name is computed once, wherever its terms stand.
+/// An expression with a name is computed once, wherever its terms stand.
 TEST_F(Expressions, AreNotTakenApartWhereTheyAreShared) {
   const Expr sum = x + y;
   std::ostringstream out;

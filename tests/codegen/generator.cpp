@@ -31,7 +31,7 @@ TEST(PartTypes, AreEqualForTwinsAndDifferOtherwise) {
 
 using Generate = InFolder;
 
-/// What was compiled is what it writes again.
+/// The generator writes again what was compiled.
 TEST_F(Generate, WritesTheSameBytesEveryTime) {
   const std::filesystem::path compiled = std::filesystem::path(DESMO_GENERATE).parent_path(),
                               folder = folder_ / "kernels";
@@ -46,9 +46,6 @@ TEST_F(Generate, WritesTheSameBytesEveryTime) {
   ASSERT_EQ(files.size(), 6u);
   EXPECT_NE(files["cases_kernels.cpp"].find("const double q_WL_x = q[in["), std::string::npos)
       << "names are readable";
-  EXPECT_NE(files["cases_explicit_kernels.cpp"].find("// C.x, C.y: two circles\n"),
-            std::string::npos);
-  EXPECT_NE(files["library_lane_kernels.cpp"].find("library_lane_kernels("), std::string::npos);
 }
 
 TEST_F(Generate, FailsWhereItCannotWrite) {

@@ -1,4 +1,4 @@
-// What the examples in the headers' comments take for given. check.cmake cuts them out of the
+// Names that the examples in the headers' comments take for given. check.cmake cuts them out of the
 // installed headers; here they only compile.
 #include <desmo/cases.h>
 #include <desmo/certificate.h>

@@ -12,7 +12,8 @@
 namespace desmo::motions_test {
 namespace {
 
-/// What rounding of ωt leaves of a motion whose terms together have amplitude 3 and ω up to 11.
+/// Expects values to be those of a motion, except for rounding of ωt. Terms together have an
+/// amplitude of 3, and ω up to 11.
 void expect_sampled(const Motion& motion, double t, double z, double zd, double zdd) {
   const MotionSample<double> expected = sample(motion, t);
   const auto expect_near = [&](double a, double b, double factor) {
@@ -24,8 +25,8 @@ void expect_sampled(const Motion& motion, double t, double z, double zd, double 
   expect_near(zdd, expected.acceleration, 3 * 11 * 11);
 }
 
-/// Each alone, at one time, at several side by side, and at several one behind the other: of the
-/// terms, some share a frequency, in one motion and in several.
+/// Motions are sampled at one time, at several side by side, and at several one after the other.
+/// Some terms share a frequency, in one motion and in several.
 TEST(MotionSampler, GivesWhatEachMotionIs) {
   const Motion motions[] = {HarmonicSum{0.5, {{0.1, 6, 0.3}, {2, -11, 1}, {0.3, 0, 2}}},
                             Polynomial{{1, -2, 0.5, 0.25}},
@@ -77,8 +78,8 @@ TEST(MotionSampler, GivesWhatEachMotionIs) {
   MotionSampler(PlacedMotions{})({&t, 1}, nullptr, nullptr, nullptr);  // nothing to write
 }
 
-/// Whatever times it is told to expect: those of the grid, others between them, after one was left
-/// out, behind the last, and from the first again.
+/// Times are those of the grid, which it is told to expect, others between them, after one was left
+/// out, after the last, and from the first again.
 TEST(MotionsAhead, GiveWhatEachMotionIsAtAnyTime) {
   const Motion motions[] = {HarmonicSum{0.5, {{0.1, 6, 0.3}, {2, -11, 1}}},
                             Polynomial{{1, -2, 0.5}},

@@ -62,14 +62,7 @@ std::vector<Output> named_outputs(const Model& m) {
   return named;
 }
 
-using MechanismAndVariant = std::tuple<std::string_view, Variant>;
-
-class Library : public testing::TestWithParam<MechanismAndVariant> {
- public:
-  static std::string name(const testing::TestParamInfo<MechanismAndVariant>& info) {
-    return std::string(std::get<0>(info.param)) + "_" + std::get<1>(info.param).id;
-  }
-};
+class Library : public testing::TestWithParam<std::tuple<std::string_view, Variant>> {};
 
 TEST_P(Library, AgreesWithTheIndependentSolution) {
   const auto& [mechanism, variant] = GetParam();
@@ -92,13 +85,10 @@ TEST_P(Library, AgreesWithTheIndependentSolution) {
 INSTANTIATE_TEST_SUITE_P(All, Library,
                          testing::Combine(testing::ValuesIn(names_of(library())),
                                           testing::ValuesIn(tested_variants())),
-                         Library::name);
-
-TEST(LibraryTable, HasTheMechanismsThatHaveSolutions) {
-  std::vector<std::string_view> solved;
-  for (const auto& [name, at] : exact::library_solutions()) solved.push_back(name);
-  EXPECT_EQ(names_of(library()), solved);
-}
+                         [](const auto& info) {
+                           return std::string(std::get<0>(info.param)) + "_" +
+                                  std::get<1>(info.param).id;
+                         });
 
 TEST(LibraryTable, HasIndependentSolutionsOfEverythingNamedInTheFiles) {
   for (const auto& [mechanism, at] : exact::library_solutions()) {

@@ -23,38 +23,6 @@
 namespace desmo::accuracy_settings_test {
 namespace {
 
-/// By which power of the step the error of its position grows after so many iterations: from the
-/// last position, wrong by O(h), Newton's method squares the error every time and reaches 2ᵏ; old
-/// factors, wrong by O(h), take a factor O(h) off it every time and reach k + 1.
-double order_in_the_step(const std::string& id, int iterations) {
-  const Model m = truck_model(1);
-  constexpr double t = 0.4;
-  const auto error = [&](double h) {
-    const auto reference = reference_solution(m, std::vector{t, t + h}, Precision::quadruple);
-    const auto f = formulated(id + "/iterations:" + std::to_string(iterations), m);
-    EXPECT_TRUE(f->assemble(t).ok());
-    EXPECT_TRUE(f->step(t + h, Level::position).ok());
-    return max_difference(f->q(), reference[1].q);
-  };
-  constexpr double h = 0.02;
-  return std::log2(error(h) / error(h / 2));
-}
-
-TEST(Newton, ConvergesQuadratically) {
-  for (const char* id : {"global_automatic_klu", "group_automatic_lapack", "group_symbolic_eigen",
-                         "group_symbolic_inlined"}) {
-    EXPECT_NEAR(order_in_the_step(id, 1), 2, 0.2) << id;
-    EXPECT_NEAR(order_in_the_step(id, 2), 4, 0.4) << id;
-  }
-}
-
-TEST(OldFactors, ConvergeLinearly) {
-  for (const char* id : {"global_automatic_klu", "group_automatic_lapack", "group_symbolic_eigen"})
-    for (int k = 1; k <= 4; ++k)
-      EXPECT_NEAR(order_in_the_step(std::string(id) + "/jacobian:step", k), k + 1, 0.1 * (k + 1))
-          << id << ", " << k;
-}
-
 /// Evaluates ‖Φ‖₂ of all groups of a mechanism, each equation over its magnitude.
 class WeightedResidual {
  public:

@@ -1,4 +1,4 @@
-// What public headers promise about calls that go wrong, and what must not compile.
+// Promises of public headers about calls that go wrong, and code that must not compile.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ using Instants = std::vector<ReferenceInstant>;
 // No verdict of a Summary on what it cannot judge.
 static_assert(!std::is_convertible_v<CheckedSummary&, const Summary&>);
 static_assert(!std::is_convertible_v<LiveSummary&, const Summary&>);
-// What must outlive an object is no temporary.
+// An argument that must outlive an object is no temporary.
 static_assert(Formulated<const Model&> && !Formulated<Model>);
 static_assert(std::is_constructible_v<Certifier, const Model&> &&
               !std::is_constructible_v<Certifier, Model>);

@@ -1,4 +1,4 @@
-// What cannot be solved ends in a summary that names the group, the constraint and the time.
+// Instants that cannot be solved: their summary names the group, the constraint and the time.
 
 #include <gtest/gtest.h>
 
@@ -29,17 +29,12 @@
 namespace desmo::failure_test {
 namespace {
 
-/// A chain whose second dyad is pulled apart: its ground pivot is out of reach from the start.
-Model unreachable() {
-  Model m = four_bar_model(3);
-  m.fixed_values[m.entities[m.find("dyad2/D")].first] = 100;
-  return m;
-}
-
 EVERY_VARIANT(EveryFailure);
 
+/// The second dyad is pulled apart: its ground pivot is out of reach from the start.
 TEST_P(EveryFailure, NamesTheGroupThatCannotBeAssembled) {
-  const Model m = unreachable();
+  Model m = four_bar_model(3);
+  m.fixed_values[m.entities[m.find("dyad2/D")].first] = 100;
   const auto f = make_formulation(GetParam(), m);
   Discard observer;
   const Summary s = f->run(time_grid(1, 0.01), {}, observer);
@@ -83,7 +78,7 @@ TEST_P(EveryFailure, AssemblesWhenAStepComesFirst) {
   EXPECT_TRUE(std::ranges::equal(a->q(), b->q()));
 }
 
-/// Neither a time that is none nor a locked position leaves a trace.
+/// A time that is not a number leaves no trace, nor does a locked position.
 TEST_P(EveryFailure, GoesOnFromThePositionsBeforeIt) {
   struct Walk {
     Model m;

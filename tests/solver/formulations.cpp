@@ -3,14 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "bench/kit/variant_costs.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
@@ -41,14 +37,6 @@ class Motion {
   std::vector<ReferenceInstant> reference;
 };
 
-/// Returns a motion, solved once for all tests of a process.
-const Motion& motion_of(const Case& definition, int coordinates, double seconds) {
-  static std::map<std::tuple<std::string, int, double>, std::unique_ptr<const Motion>> all;
-  auto& motion = all[{std::string(definition.name), coordinates, seconds}];
-  if (!motion) motion = std::make_unique<const Motion>(definition, coordinates, seconds);
-  return *motion;
-}
-
 void expect_agreement(const Variant& v, const Motion& motion) {
   const std::string where = v.id + " on " + motion.model.name;
   NamedDifference difference(motion.model, motion.model, motion.reference);
@@ -61,14 +49,13 @@ void expect_agreement(const Variant& v, const Motion& motion) {
 /// References are expensive: all formulations of one case and size share one test and one.
 class Sizes : public testing::TestWithParam<std::pair<const Case*, int>> {};
 
-/// Every formulation solves the whole motion at the smallest size and a part of it at the others.
+/// Every formulation solves the whole motion at the smallest size and a part of it at the others,
+/// where dense global solves take long.
 TEST_P(Sizes, EveryFormulationAgreesWithTheQuadrupleReference) {
   const auto [definition, coordinates] = GetParam();
   const bool smallest = coordinates == definition->sizes.front();
-  const Motion& motion =
-      motion_of(*definition, coordinates, smallest ? DESMO_TEST_SECONDS : short_motion);
-  for (const Variant& v : tested_variants())
-    if (!bench::is_dense_global(v) || coordinates <= 114) expect_agreement(v, motion);
+  const Motion motion(*definition, coordinates, smallest ? DESMO_TEST_SECONDS : short_motion);
+  for (const Variant& v : tested_variants()) expect_agreement(v, motion);
 }
 
 /// All sizes; with sanitizers the two smallest, as more of the same finds no other error of memory.
@@ -84,21 +71,13 @@ INSTANTIATE_TEST_SUITE_P(Cases, Sizes, testing::ValuesIn(tested_sizes()), [](con
   return std::string(info.param.first->name) + "_" + std::to_string(info.param.second);
 });
 
-/// Dense global solves at the larger sizes take too long for the whole motion.
-TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
-  const auto [definition, coordinates] = GetParam();
-  const Motion& motion = motion_of(*definition, coordinates, short_motion);
-  for (const Variant& v : variants())
-    if (bench::is_dense_global(v)) expect_agreement(v, motion);
-}
-
 class LargestSizes : public testing::TestWithParam<const Case*> {};
 
 /// The paper's reference and the fastest formulation stand for all over a longer motion.
 TEST_P(LargestSizes, TwoFormulationsAgreeOverALongerMotion) {
   const Case& definition = *GetParam();
   const double duration = DESMO_SANITIZED ? short_motion : 6;
-  const Motion& motion = motion_of(definition, definition.sizes.back(), duration);
+  const Motion motion(definition, definition.sizes.back(), duration);
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"})
     expect_agreement(find_variant(id), motion);
 }
@@ -134,24 +113,6 @@ TEST_P(EveryFormulation, TakesAFixedNumberOfIterationsWhereAsked) {
   }
   EXPECT_LT(fixed->step(0.09).residual, Settings{}.tolerance);
   EXPECT_LT(max_difference(fixed->q(), usual->q()), 1e-9);
-}
-
-TEST_P(EveryFormulation, SolvesOnlyTheLevelAsked) {
-  const Model m = truck_model(1);
-  struct Spans final : Observer {
-    std::size_t q = 0, qd = 0, qdd = 0;
-    Flow observe(const Instant& i) noexcept override {
-      q = i.q.size(), qd = i.qd.size(), qdd = i.qdd.size();
-      return Flow::go_on;
-    }
-  } observer;
-  const auto f = make_formulation(GetParam(), m);
-  ASSERT_TRUE(f->run(time_grid(0.1, 0.01), {Level::position}, observer).ok());
-  EXPECT_EQ(observer.q, 114u);
-  EXPECT_EQ(observer.qd, 0u);
-  ASSERT_TRUE(f->run(time_grid(0.1, 0.01), {Level::velocity}, observer).ok());
-  EXPECT_EQ(observer.qd, 114u);
-  EXPECT_EQ(observer.qdd, 0u);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 
 #include "formulations/algebra/backend.h"
 #include "formulations/algebra/klu_factors.h"
-#include "formulations/equations/automatic.h"
 #include "formulations/model/magnitudes.h"
+#include "formulations/model/part_system.h"
 #include "formulations/parts/newton_part.h"
 #include "formulations/variants.h"
 #include "formulations/verification/reference/reference.h"
@@ -39,8 +39,6 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
   const Model m = truck_model(1);
   for (const PartDefinition& part : make_partition(m, Partition::global)) {
     if (part.constant) continue;
-    const AutomaticEquations equations(m, part);
-    const Pattern& p = equations.pattern();
     const auto at = reference_solution(m, std::vector{0.3}, Precision::standard)[0];
     State s{at.q, at.qd, at.qdd};
     s.resize(m.state_size());
@@ -48,18 +46,16 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
     const auto solver = make_newton_part(context(m, part, {.tolerance = 1e-8}), *GetParam());
     ASSERT_EQ(solver->solve(s, s.q, Level::velocity).status, Status::solved);
 
-    std::vector<double> values(p.size());
-    equations.constant_jacobian(values.data());
-    equations.jacobian(s.q.data(), values.data());
-    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(p.n, p.n);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(p.n), qd(p.n);
-    for (int j = 0; j < p.n; ++j) {
-      qd[j] = s.qd[p.unknowns[j]];
-      for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
-        jacobian(p.row[k], j) = values[k];
-    }
-    for (std::size_t k = 0; k < p.known.size(); ++k)
-      right[p.known[k].row] -= values[p.dependent_entries() + k] * s.qd[p.known[k].place];
+    ScalarState<double> solved(m.state_size());
+    solved.q = s.q;
+    solved.qd = s.qd;
+    const PartSystem<double> system(m, part, solved);
+    const auto n = static_cast<Eigen::Index>(system.n);
+    const Eigen::MatrixXd jacobian =
+        Eigen::Map<const Eigen::MatrixXd>(system.jacobian.data(), n, n).transpose();
+    const Eigen::Map<const Eigen::VectorXd> right(system.velocity.data(), n);
+    Eigen::VectorXd qd(n);
+    for (Eigen::Index j = 0; j < n; ++j) qd[j] = s.qd[part.unknowns[j]];
     const double condition = jacobian.norm() * jacobian.inverse().norm();
     const double allowed = 50 * std::numeric_limits<double>::epsilon() * jacobian.norm() *
                            qd.norm() * (solves_normal_equations(*GetParam()) ? condition : 1);
@@ -107,7 +103,7 @@ std::vector<const Backend*> all_backends() { return {backends().begin(), backend
 INSTANTIATE_TEST_SUITE_P(Table, EveryBackend, testing::ValuesIn(all_backends()),
                          [](const auto& info) { return std::string(info.param->name); });
 
-/// As many blocks as KLU finds, or one; and the same solution.
+/// KLU factorises the blocks that it finds, or one; the solution is the same.
 TEST(Klu, LeavesOutTheBlocksOfAMatrix) {
   const Pattern triangle{3, {0, 1, 2}, {0, 2, 4, 5}, {0, 1, 1, 2, 2}, {}};
   const double values[] = {2, 1, 4, 3, 5};

@@ -84,7 +84,7 @@ TEST(CoinHsl, SaysWhatALibraryDoesNotServeFor) {
   }
 }
 
-/// Whether this machine has one or not.
+/// The test holds with and without a library on this machine.
 TEST(CoinHsl, IsLookedForByItsUsualNames) {
   const CoinHsl usual = load_coinhsl(nullptr);
   EXPECT_EQ(load_coinhsl("").absence.reason, usual.absence.reason);

@@ -9,15 +9,17 @@
 #include "cases/mechanism/builder.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/motion/driver_continuation.h"
+#include "formulations/motion/internals.h"
 #include "formulations/motion/prediction/driver_source.h"
 #include "formulations/motion/sub_steps.h"
+#include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::steps_test {
 namespace {
 
-/// What needs sub-steps of a 300th is led on; what needs those of a 3000th is given up, for it
-/// would take as many.
+/// A motion that needs sub-steps of a 300th is led on. One that needs those of a 3000th is given
+/// up: it would take as many.
 TEST(SubSteps, AreHalvedToAThousandth) {
   for (const double longest : {1. / 300, 1. / 3000}) {
     double reached = 0;
@@ -28,6 +30,25 @@ TEST(SubSteps, AreHalvedToAThousandth) {
     };
     EXPECT_EQ(go_in_sub_steps(0, 1, 100'000, go), longest > 1e-3);
     EXPECT_EQ(reached == 1, longest > 1e-3);
+  }
+}
+
+/// A motion is entered in its middle, from a position of another instant. So far away one try is
+/// not enough, with so few iterations.
+TEST(SubSteps, GoOnFromAContinuedStart) {
+  constexpr double entered = 0.5, later = 1.5;  // s
+  const Model m = four_bar_model(3);
+  for (const char* id :
+       {"global_automatic_klu", "group_automatic_lapack", "group_symbolic_inlined"}) {
+    const auto walked = formulated(id, m), f = formulated(id, m, {.max_iterations = 3});
+    ASSERT_TRUE(walked->assemble(0).ok());
+    const std::vector<double> start(walked->q().begin(), walked->q().end());
+    for (int i = 1; i <= 150; ++i) ASSERT_TRUE(walked->step(0.01 * i).ok());
+    ASSERT_TRUE(stepping_of(*f).start_at(start, entered)) << id;
+    const Summary step = f->step(later);
+    ASSERT_TRUE(step.ok()) << id;
+    EXPECT_GT(step.sub_steps, 0) << id;
+    EXPECT_LT(max_difference(f->q(), walked->q()), 1e-9) << id;
   }
 }
 

@@ -209,7 +209,7 @@ class SolveWriter {
   std::set<int> open_;              // positions not yet defined, and rates, of the unknowns
   std::set<std::size_t> verified_;  // rows of original equations that norm2 contains
   int defined_angles_ = 0;
-  /// Whether the part has a core. Without one, rates come after all positions. Then angles, which
+  /// True if the part has a core. Without one, rates come after all positions. Then angles, which
   /// take long, begin early, and the next part's positions need not wait for rates. With a core,
   /// the rates of each section follow its positions, while registers hold what they share.
   const bool has_core_;

@@ -12,13 +12,12 @@ namespace desmo {
 /// integrates the polynomial through their q̇ and q̈ from the last position on, as Adams and
 /// Bashforth do with first derivatives. For a step of h from the last instant, number 0:
 ///   q = q₀ + Σ_j (h β_j q̇_j + h² γ_j q̈_j).
-/// Only the last position enters, so errors of positions are not magnified. A prediction
-/// from several positions magnifies them.
+/// Polynomials q up to degree 8 are predicted exactly, except for rounding. Only the last position
+/// enters, so errors of positions are not magnified. A prediction from several positions magnifies
+/// them.
 class RateHistory {
  public:
   static constexpr int instants = 4;
-  /// Degree up to which polynomials q are predicted exactly, except for rounding.
-  static constexpr int degree = 2 * instants;
 
   /// ranges: those of the coordinates, ascending.
   explicit RateHistory(std::span<const IndexRange> ranges);
