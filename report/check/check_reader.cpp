@@ -16,7 +16,7 @@ Rounds read_rounds(const RecordValue& node) {
 
 Work read_work(const RecordValue& node, bool two_sides) {
   Work work{node["tool"].text(), node["steps"].integer(1), node["iterations"].integer(1), {}};
-  for (const RecordValue& sides : node["instructions"].members()) {
+  for (const RecordValue sides : node["instructions"].members()) {
     Instructions& counts = work.instructions[std::string(sides.key())];
     counts.head = sides["head"].count();
     if (two_sides) counts.base = sides["base"].count();
@@ -76,7 +76,7 @@ CheckRecord read_root(const RecordValue& root) {
   if (two_sides) check_pairs(check, root);
   if (has_times(check.head)) check.control = read_rounds(root[control_name]);
   if (const auto second = root.find("second"))
-    for (const RecordValue& rounds : second->members())
+    for (const RecordValue rounds : second->members())
       check.second.emplace(rounds.key(), read_rounds(rounds));
   if (!check.second.empty() && !check.second.contains(control_name))
     root["second"].complain("the control is missing");

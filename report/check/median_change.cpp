@@ -1,6 +1,7 @@
 #include "report/check/median_change.h"
 
 #include <algorithm>
+#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <vector>
 
@@ -21,15 +22,11 @@ double quantile(const std::vector<double>& values, double p) {
 
 }  // namespace
 
+// The probability of m successes or more in n draws, each with probability p, is the regularised
+// incomplete beta function I_p(m, n - m + 1).
 double median_at_most(std::size_t k, std::size_t n) {
-  if (k >= n) return 1;
-  const double p = static_cast<double>(k) / static_cast<double>(n);
-  double sum = 0;
-  for (std::size_t j = (n + 1) / 2; j <= n; ++j)
-    sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(j + 1.0) - std::lgamma(n - j + 1.0) +
-                    static_cast<double>(j) * std::log(p) +
-                    static_cast<double>(n - j) * std::log1p(-p));
-  return sum;
+  const double draws = static_cast<double>(n), half = static_cast<double>((n + 1) / 2);
+  return boost::math::ibeta(half, draws - half + 1, static_cast<double>(k) / draws);
 }
 
 Change median_change(std::span<const double> times, std::span<const double> old_times) {

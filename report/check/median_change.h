@@ -21,7 +21,7 @@ Change median_change(std::span<const double> times, std::span<const double> old_
 /// A resample is n draws from the values, with replacement; none is made here. Its median is at
 /// most that value exactly when at least half of the draws fall on the k smallest, which has a
 /// binomial probability (Efron, 1979). For an even n the median is the lower of the two in the
-/// middle.
+/// middle. k: from 1 to n
 double median_at_most(std::size_t k, std::size_t n);
 
 }  // namespace desmo::report

@@ -2,6 +2,7 @@
 // comments, where a sentence says that it is missing; report/figures/render puts the figure there.
 #include "report/formats/formats.h"
 #include "report/text/embedded.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -9,17 +10,6 @@ namespace {
 // Largest row_width() of a table that has intervals next to their numbers, ≤. Wider tables have
 // them below the numbers.
 constexpr std::size_t max_row_width = 122;
-
-// Replaces the first {name} in a page's frame for each of the values, in their order.
-std::string filled(std::string_view frame,
-                   const std::vector<std::pair<std::string, std::string>>& values) {
-  std::string page(frame);
-  for (const auto& [name, text] : values) {
-    const std::size_t at = page.find("{" + name + "}");
-    page.replace(at, name.size() + 2, text);
-  }
-  return page;
-}
 
 std::string html_text(std::string_view text) {
   return escaped(text, {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}});
@@ -195,8 +185,7 @@ std::string to_html(const Document& document) {
   return filled(
       embedded_file("page.template.html"),
       {{"title", html_text(document.title)},
-       {"title", html_text(document.title)},
-       {"style", std::string(embedded_file("page.css"))},
+       {"style", embedded_file("page.css")},
        {"home", document.home.empty() ? "" : "<a href=\"" + document.home + "\">All records</a>"},
        {"sections", sections_html(document)}});
 }
@@ -211,8 +200,9 @@ std::string to_index(const std::vector<IndexRow>& rows) {
             element("td", html_text(machine)) + element("td class=\"n\"", html_text(date)) +
             element("td", element("ul", found)) + "</tr>\n";
   }
-  return filled(embedded_file("index.template.html"),
-                {{"style", std::string(embedded_file("page.css"))}, {"rows", text}});
+  return filled(embedded_file("index.template.html"), {{"style", embedded_file("page.css")},
+                                                       {"rows", text},
+                                                       {"script", embedded_file("index.js")}});
 }
 
 }  // namespace desmo::report

@@ -80,10 +80,9 @@ std::vector<std::size_t> column_widths(const Table& table) {
   return widths;
 }
 
-std::string aligned(const std::string& text, std::size_t width_left, bool right, bool last) {
-  const std::string space(width_left - std::min(width_left, characters(text)), ' ');
-  if (right) return space + text;
-  return last ? text : text + space;
+std::string aligned(const std::string& text, std::size_t width, bool right) {
+  const std::string space(width - std::min(width, characters(text)), ' ');
+  return right ? space + text : text + space;
 }
 
 std::string terminal_table(const Table& table) {
@@ -100,7 +99,7 @@ std::string terminal_table(const Table& table) {
       std::string text;
       for (std::size_t i = 0; i < widths.size(); ++i)
         text += "  " + aligned(line < entries[i].size() ? entries[i][line] : "", widths[i],
-                               !table.columns[i].quantities.empty(), i + 1 == widths.size());
+                               !table.columns[i].quantities.empty());
       result += without_last_space(std::move(text)) + "\n";
     }
     return result;

@@ -59,7 +59,7 @@ void read_modelling(Record& record, const RecordValue& experiment) {
 }
 
 void read_instructions(Record& record, const RecordValue& experiment) {
-  for (const RecordValue& node : experiment["counts"].elements()) {
+  for (const RecordValue node : experiment["counts"].elements()) {
     const CandidateKey key = read_key(node);
     add_once(
         record.instructions, node, key,

@@ -11,10 +11,9 @@ History read_history(const std::filesystem::path& file) {
     history.points = root["points"].list([&](const RecordValue& node) {
       const RecordValue counts = node["instructions"];
       HistoryPoint point{node["commit"].text(), node["date"].text(), node["subject"].text(),
-                         node["compiler"].text()};
-      for (const RecordValue& count : counts.elements())
-        point.instructions.push_back(count.is_number() ? std::optional(count.count())
-                                                       : std::nullopt);
+                         node["compiler"].text(), counts.list([](const RecordValue& count) {
+                           return count.is_number() ? std::optional(count.count()) : std::nullopt;
+                         })};
       if (point.instructions.size() != history.candidates.size())
         counts.complain("as many as candidates were expected");
       return point;

@@ -46,7 +46,7 @@ inline constexpr Experiment experiments[] = {
 template <class Read>
 void read_each(const RecordValue& experiment, std::string_view list, const Read& read) {
   if (const auto found = experiment.find(list))
-    for (const RecordValue& node : found->elements()) read(node);
+    for (const RecordValue node : found->elements()) read(node);
 }
 
 /// Adds a value, which was read from a node, to a map. Throws InputError when the map has the key.

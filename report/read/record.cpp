@@ -60,7 +60,7 @@ Record read_environment(const RecordValue& node) {
   record.dirty = node["dirty"].boolean();
   record.machine = read_machine(node["machine"]);
   record.build = read_build(node["build"]);
-  for (const RecordValue& library : node["libraries"].members())
+  for (const RecordValue library : node["libraries"].members())
     record.libraries.emplace(library.key(), library.text());
   record.blas = {blas["core"].text(), blas["threads"].integer(1)};
   record.settings = read_settings(node["settings"]);

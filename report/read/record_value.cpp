@@ -97,12 +97,12 @@ std::vector<std::pair<std::string, std::string>> RecordValue::leaves() const {
   std::vector<std::pair<std::string, std::string>> all;
   if (is_array()) {
     std::string list;
-    for (const RecordValue& element : elements())
+    for (const RecordValue element : elements())
       for (const auto& [name, text] : element.leaves()) list += (list.empty() ? "" : ", ") + text;
     return {{"", list}};
   }
   if (!is_object()) return {{"", boolean() ? "yes" : "no"}};
-  for (const RecordValue& member : members())
+  for (const RecordValue member : members())
     for (const auto& [name, text] : member.leaves())
       all.emplace_back(std::string(member.key()) + (name.empty() ? "" : " " + name), text);
   return all;

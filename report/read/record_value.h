@@ -27,8 +27,6 @@ class RecordValue : public JsonValue {
 
   RecordValue operator[](std::string_view key) const { return JsonValue::operator[](key); }
   std::optional<RecordValue> find(std::string_view key) const { return JsonValue::find(key); }
-  std::vector<RecordValue> members() const { return checked(JsonValue::members()); }
-  std::vector<RecordValue> elements() const { return checked(JsonValue::elements()); }
 
   /// Reads an optional member by a member function below, or by another function of a RecordValue.
   /// Returns nothing where the member is missing.
@@ -42,7 +40,7 @@ class RecordValue : public JsonValue {
   template <class Read>
   auto list(const Read& read) const {
     std::vector<std::decay_t<std::invoke_result_t<Read, RecordValue>>> all;
-    for (const RecordValue& element : elements()) all.push_back(std::invoke(read, element));
+    for (const RecordValue element : elements()) all.push_back(std::invoke(read, element));
     return all;
   }
 
@@ -62,11 +60,6 @@ class RecordValue : public JsonValue {
 
   /// Returns the index of the text in a list of words. Throws InputError when it is none of them.
   std::size_t one_of(std::initializer_list<std::string_view> words) const;
-
- private:
-  static std::vector<RecordValue> checked(const std::vector<JsonValue>& values) {
-    return {values.begin(), values.end()};
-  }
 };
 
 }  // namespace desmo::report

@@ -39,12 +39,12 @@ std::vector<TimedGroup> timed_groups(const Record& record) {
 }
 
 CandidateKey reference_of(const CandidateKey& key) {
+  if (is_by_wall(key.id))
+    return {key, without_setting(without_setting(key.id, "threads"), "clock") + "/clock:wall"};
   std::string suffix;
   for (const char* part : {"/request:", "/step:"})
     if (const std::size_t at = key.id.find(part); at != key.id.npos) suffix = key.id.substr(at);
-  if (!is_by_wall(key.id)) return {key, std::string(usual_reference) + suffix};
-  const std::string id = key.id.substr(0, key.id.size() - suffix.size());
-  return {key, without_setting(without_setting(id, "threads"), "clock") + "/clock:wall" + suffix};
+  return {key, std::string(usual_reference) + suffix};
 }
 
 namespace {

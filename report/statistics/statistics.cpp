@@ -9,8 +9,8 @@
 namespace desmo::report {
 namespace {
 
-// Two-sided 95 % quantiles of Student's t for 1, 2, ... degrees of freedom. They are not taken from
-// Boost.Math, whose header alone takes 7 s to compile.
+// Two-sided 95 % quantiles of Student's t for 1, 2, ... degrees of freedom, to three decimals as
+// printed tables have them. Exact quantiles would change last digits of intervals in reports.
 constexpr std::array student_quantiles{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306,
                                        2.262,  2.228, 2.201, 2.179, 2.160, 2.145, 2.131, 2.120,
                                        2.110,  2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064,

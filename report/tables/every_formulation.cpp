@@ -80,18 +80,15 @@ Section every_formulation(const Record& record) {
 
 namespace {
 
-/// Key by which rows are sorted: coordinates, request ("everything" for none), analysis, threads.
-/// The analysis is the id without threads, clock and request.
-using Place = std::tuple<std::int64_t, std::string, std::string, std::int64_t>;
+/// Key by which rows are sorted: coordinates, analysis, threads. The analysis is the id without
+/// threads and clock.
+using Place = std::tuple<std::int64_t, std::string, std::int64_t>;
 
 /// Returns the sort key of a candidate's row. Reads the number of threads from the id, since a
 /// failed candidate records none.
 Place place_of(const CandidateKey& key) {
-  const std::string_view threads = setting(key.id, "threads"), request = setting(key.id, "request");
-  std::string analysis = key.id;
-  for (const char* name : {"threads", "clock", "request"})
-    analysis = without_setting(analysis, name);
-  return {key.coordinates, std::string(request.empty() ? "everything" : request), analysis,
+  const std::string_view threads = setting(key.id, "threads");
+  return {key.coordinates, without_setting(without_setting(key.id, "threads"), "clock"),
           threads.empty() ? 1 : std::stoll(std::string(threads))};
 }
 
@@ -105,11 +102,11 @@ Section threads(const Record& record) {
   for (const auto& [name, places] : cases) {
     Table table = headed_table("threads", timed_words(record, {{"case", name}}));
     for (const auto& [place, key] : places) {
-      const auto& [coordinates, delivered, analysis, threads] = place;
+      const auto& [coordinates, analysis, threads] = place;
       const Measurement& candidate = *all.at(key);
       const Measured time = measured(candidate);
       const auto one = all.find(reference_of(key));
-      table.rows.push_back({coordinates, delivered, analysis, threads, seconds_entry(time),
+      table.rows.push_back({coordinates, "everything", analysis, threads, seconds_entry(time),
                             instant_entry(record, time),
                             one == all.end() ? note_entry(sentence("threads.alone"))
                             : one->first == key

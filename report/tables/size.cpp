@@ -47,7 +47,7 @@ Entry break_even_entry(const Curve& dense, const Curve& sparse) {
 Section dense_or_sparse(const Record& record) {
   Curves curves = curves_of(record.break_even);
   Table table = headed_table("break_even");
-  const std::size_t fastest_column = 2 + dense_families.size();
+  std::vector<double> found;  // break-even sizes with the fastest dense solver
   for (const std::string_view family : dense_families)
     table.columns.insert(table.columns.end() - 2,
                          {std::string(family), table.columns.rbegin()[1].quantities});
@@ -66,13 +66,10 @@ Section dense_or_sparse(const Record& record) {
       std::vector<Entry>& row = table.rows.emplace_back();
       row = {name, std::string(family)};
       for (const Curve& curve : dense) row.push_back(break_even_entry(curve, sparse));
+      if (row.back().has_number()) found.push_back(std::stod(row.back().digits.front()));
       row.push_back(digits_entry(published_break_even));
     }
   }
-  std::vector<double> found;
-  for (const auto& row : table.rows)
-    if (const Entry& entry = row[fastest_column]; entry.has_number())
-      found.push_back(std::stod(entry.digits.front()));
   Section section = headed_section("break_even_section", {}, {std::move(table)});
   if (!found.empty()) {
     const std::string least = write_fixed(std::ranges::min(found), 0),

@@ -40,19 +40,6 @@ const TextLines& block_named(std::string_view name) {
   return found->second;
 }
 
-std::string filled(std::string_view text, const TextValues& values) {
-  std::string result;
-  while (true) {
-    const std::size_t begin = text.find('{'), end = text.find('}', std::min(begin, text.size()));
-    result += text.substr(0, begin);
-    if (begin == text.npos) return result;
-    const std::string_view name = text.substr(begin + 1, end - begin - 1);
-    const auto value = std::ranges::find(values, name, &TextValue::name);
-    result += value != values.end() ? value->text : sentence(name, values);
-    text.remove_prefix(end + 1);
-  }
-}
-
 /// Reads a column: "µs/step: microseconds again" has the heading µs/step and the quantities
 /// microseconds and again.
 Column parse_column(const std::string& text) {
@@ -65,6 +52,19 @@ Column parse_column(const std::string& text) {
 }
 
 }  // namespace
+
+std::string filled(std::string_view text, const TextValues& values) {
+  std::string result;
+  while (true) {
+    const std::size_t begin = text.find('{'), end = text.find('}', std::min(begin, text.size()));
+    result += text.substr(0, begin);
+    if (begin == text.npos) return result;
+    const std::string_view name = text.substr(begin + 1, end - begin - 1);
+    const auto value = std::ranges::find(values, name, &TextValue::name);
+    result += value != values.end() ? value->text : sentence(name, values);
+    text.remove_prefix(end + 1);
+  }
+}
 
 std::string sentence(std::string_view name, const TextValues& values) {
   const std::size_t dot = name.find('.');

@@ -29,6 +29,10 @@ std::string in_a_row(const std::vector<std::string>& words);
 // The functions below throw std::logic_error when the file has no such text, or a placeholder has
 // no value.
 
+/// Returns a text in which each placeholder {name} is replaced by the value of that name, and
+/// {block.word} by that sentence.
+std::string filled(std::string_view text, const TextValues& values);
+
 /// Returns the sentence "block.word" with its placeholders filled.
 std::string sentence(std::string_view name, const TextValues& values = {});
 
