@@ -34,41 +34,31 @@ std::vector<double> turned(const Model& m, std::vector<double> q) {
   return q;
 }
 
+/// Null: nothing is handed in, and the motion alone leads to a row.
 TEST(Branches, AreThoseOfTheDrawingWhateverIsHandedIn) {
   const Model m = locking_four_bar(Polynomial{{1, 0.1}});
-  for (const auto& spoilt : {&mirrored, &turned})
+  const std::vector<double> any(m.coordinates());
+  for (const auto spoilt : {&mirrored, &turned, decltype(&turned){}})
     for (const int first_spoilt : {0, 1, 5}) {
       CheckedMotion motion(m, {});
       motion.begin(0);
       for (int i = 0; i < 8; ++i) {
         const std::vector<double> right = at_rest(1 + 0.1 * i);
         const bool is_spoilt = i >= first_spoilt;
-        const std::vector<double> q = is_spoilt ? spoilt(m, right) : right;
-        const CheckedInstant& row = motion.check({i, 1. * i, q, {}, {}});
-        EXPECT_FALSE(row.flag) << i;
-        EXPECT_EQ(row.is_elsewhere, is_spoilt) << i;
+        const std::vector<double> q = is_spoilt && spoilt ? spoilt(m, right) : right;
+        const CheckedInstant* const row = is_spoilt && !spoilt
+                                              ? motion.solve({i, 1. * i, any, any, {}})
+                                              : &motion.check({i, 1. * i, q, {}, {}});
+        ASSERT_TRUE(row) << i;
+        EXPECT_FALSE(row->flag) << i;
+        EXPECT_EQ(row->is_elsewhere, is_spoilt) << i;
+        EXPECT_EQ(row->instant.qd.empty(), !is_spoilt || spoilt) << i;
+        EXPECT_TRUE(row->instant.qdd.empty()) << i;
         for (int k = 0; k < m.coordinates(); ++k)
-          EXPECT_NEAR(row.instant.q[k], right[k], 1e-14) << i << ", " << k;
+          EXPECT_NEAR(row->instant.q[k], right[k], 1e-14) << i << ", " << k;
       }
+      EXPECT_FALSE(motion.solve({8, 20, any, {}, {}}));  // beyond the dead point
     }
-}
-
-TEST(Branches, AreFollowedWhereNothingIsHandedIn) {
-  const Model m = locking_four_bar(Polynomial{{1, 0.1}});
-  CheckedMotion motion(m, {});
-  motion.begin(0);
-  const std::vector<double> any(m.coordinates());
-  for (int i = 0; i < 8; ++i) {
-    const CheckedInstant* row = motion.solve({i, 1. * i, any, any, {}});
-    ASSERT_TRUE(row) << i;
-    EXPECT_FALSE(row->flag);
-    EXPECT_TRUE(row->is_elsewhere);
-    EXPECT_EQ(row->instant.qd.size(), any.size());
-    EXPECT_TRUE(row->instant.qdd.empty());
-    const std::vector<double> right = at_rest(1 + 0.1 * i);
-    for (int k = 0; k < m.coordinates(); ++k) EXPECT_NEAR(row->instant.q[k], right[k], 1e-14);
-  }
-  EXPECT_FALSE(motion.solve({8, 20, any, {}, {}}));  // beyond the dead point
 }
 
 /// One iteration a step leads them astray.

@@ -65,33 +65,5 @@ TEST(ChangePoints, DependOnTheDriversOfTheirGroupAlone) {
   expect_points_of_the_parallelogram({.mode = CheckMode::sample, .sample = 4}, 1e-9);
 }
 
-/// Two parallelograms with cranks of their own. One of them passes its point, begins or turns back
-/// on it, and the other does so later.
-TEST(ChangePoints, ArePassedByOneMechanismAfterTheOther) {
-  Scene scene = scene_file("two_parallelograms");
-  const Motion passes = Polynomial{{pi - 0.5, 1.75}}, begins = Polynomial{{pi, 1.75}},
-               turns_back = Polynomial{{pi - 0.625, 2.1, -1.764}},  // after 0.595 s
-      turns_back_early = Polynomial{{pi - 0.16, 1.6, -4}};          // after 0.2 s
-  for (const std::vector<Motion>& motions :
-       std::vector<std::vector<Motion>>{{passes, turns_back},
-                                        {begins, turns_back},
-                                        {begins, passes},
-                                        {turns_back_early, passes}}) {
-    scene.motions = motions;
-    const Model m = make_model(scene);
-    const CheckedRows r = solve_checked(m, scene.grid, "group_automatic_lapack");
-    SCOPED_TRACE(describe(r.summary, m));
-    EXPECT_EQ(r.summary.crossings, 2);
-    EXPECT_EQ(r.summary.flagged, 2);
-    for (const CheckedRow& row : r.rows) {
-      const auto way = [&](const char* from, const char* to) {
-        return m.value(to, row.values.position) - m.value(from, row.values.position);
-      };
-      EXPECT_NEAR(way("B.x", "C.x"), 0.032, 1e-12) << row.time;
-      EXPECT_NEAR(way("H.x", "K.x"), 0.048, 1e-12) << row.time;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace desmo::change_points_test

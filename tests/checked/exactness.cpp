@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,8 @@ const std::vector<Known>& few_motions() {
   return all;
 }
 
-/// Solves a motion, and expects errors of (1 + 5e-4 κ) u of the scale, or of the number where that
-/// is more; of rates (1
-/// + 2e-4 κ²) u.
+/// Solves a motion. Expects errors of positions below (1 + 5e-4 κ) u and of rates below
+/// (1 + 2e-4 κ²) u, relative to the scale or, where that is more, to the number.
 void expect_exact(const Known& known, const std::string& id) {
   SCOPED_TRACE(id);
   const CheckedRows r = solve_checked(known.m, known.grid, id);
@@ -123,30 +123,21 @@ TEST(Radii, HoldWherePivotsAreThoseOfAnotherPosition) {
     expect_radii(known, id);
 }
 
-/// Returns the numbers of a text.
-std::vector<double> numbers_in(const std::string& text) {
-  std::vector<double> found;
-  for (const char* c = text.c_str(); *c;) {
-    char* end;
-    const double x = std::strtod(c, &end);
-    if (end != c) found.push_back(x);
-    c = end == c ? c + 1 : end;
-  }
-  return found;
-}
-
 TEST(Radii, ArePrintedRoundedUp) {
   CheckedSummary s;
   for (const double bound : {1.0488e-14, 1e-14, 9.96e-9, 3.0000001e-16, 0.0, 2.5e-310})
     for (const Level level : all_levels) {
       s.level = level;
       s.radius = {bound, 1.04 * bound, 2 * bound};
-      const std::vector<double> printed = numbers_in(describe_radius(s));
-      ASSERT_EQ(printed.size(), 2u + static_cast<std::size_t>(level));  // condition first
-      for (const Level l : all_levels) {
-        if (l > level) break;
-        EXPECT_GE(printed[1 + static_cast<std::size_t>(l)], s.radius[l]);
-        EXPECT_LE(printed[1 + static_cast<std::size_t>(l)], s.radius[l] * 1.12 + 1e-323);
+      PerLevel<double> printed;
+      const int levels =
+          std::sscanf(describe_radius(s).c_str(),
+                      "condition %*f, errors at most %lf, %lf in velocity, %lf in acceleration",
+                      &printed.position, &printed.velocity, &printed.acceleration);
+      ASSERT_EQ(levels, 1 + static_cast<int>(level));
+      for (const Level l : std::span(all_levels).first(levels)) {
+        EXPECT_GE(printed[l], s.radius[l]);
+        EXPECT_LE(printed[l], s.radius[l] * 1.12 + 1e-323);
       }
     }
 }

@@ -10,6 +10,7 @@
 #include "formulations/verification/run/assembly_error.h"
 #include "tests/checked/rows.h"
 #include "tests/dead_point.h"
+#include "tests/range/four_bar.h"
 
 namespace desmo::gaps_test {
 namespace {
@@ -87,14 +88,19 @@ TEST(Gaps, EndWhereExactPositionsDoWhateverTheTolerance) {
   }
 }
 
+/// Those of all instants are a failure.
 TEST(Gaps, MayLastUntilTheEnd) {
-  const CheckedSummary s = solve_checked(overswinging, {0, 0.01, 30}, "block_automatic_lapack",
-                                         Level::position, {.past_failures = true})
-                               .summary;
-  EXPECT_EQ(s.outcome(), Outcome::degraded);
-  ASSERT_EQ(s.gaps.size(), 1u);
-  EXPECT_FALSE(s.gaps[0].ends);
-  EXPECT_EQ(s.instants, 16);
+  for (const TimeGrid& grid : {TimeGrid{0, 0.01, 30}, {0.2, 0.01, 10}}) {
+    const CheckedSummary s = solve_checked(overswinging, grid, "block_automatic_lapack",
+                                           Level::position, {.past_failures = true})
+                                 .summary;
+    ASSERT_EQ(s.gaps.size(), 1u);
+    EXPECT_FALSE(s.gaps[0].ends);
+    EXPECT_EQ(s.instants, grid.start == 0 ? 16 : 0);
+    EXPECT_EQ(s.outcome(), grid.start == 0 ? Outcome::degraded : Outcome::failed);
+    EXPECT_EQ(describe(s, overswinging).starts_with("failed: "), grid.start > 0)
+        << describe(s, overswinging);
+  }
 }
 
 /// The output of a drag link makes its turns with the input, and less than half a turn beside it.
@@ -141,14 +147,20 @@ TEST(Gaps, HideNoChangePointOfOthers) {
   }
 }
 
-TEST(Gaps, OfAllInstantsAreAFailure) {
-  const CheckedSummary s = solve_checked(overswinging, {0.2, 0.01, 10}, "block_automatic_lapack",
-                                         Level::position, {.past_failures = true})
-                               .summary;
-  EXPECT_EQ(s.instants, 0);
-  EXPECT_EQ(s.gaps.size(), 1u);
-  EXPECT_EQ(s.outcome(), Outcome::failed);
-  EXPECT_TRUE(describe(s, overswinging).starts_with("failed: ")) << describe(s, overswinging);
+/// The second of two four-bars locks before the first row is solved, the first one before the
+/// stride ends: there it is solved first.
+TEST(Gaps, NameTheGroupThatFailsAtTheirFirstRow) {
+  const double start = dead_point - 0.05;
+  Model m = range_test::four_bar({2, 3, 6, 8}, start, 1, 1, 2);
+  m.drivers[0].motion = Polynomial{{start, 1}}, m.drivers[1].motion = Polynomial{{start, 10}};
+  for (const char* id : {"group_automatic_lapack", "group_automatic_lapack/stride:16"}) {
+    const CheckedSummary s = solve_checked(m, {0, 0.01, 33}, id).summary;
+    EXPECT_EQ(s.outcome(), Outcome::failed) << id;
+    EXPECT_EQ(s.time, 0.01) << id;
+    EXPECT_EQ(m.groups.at(s.group).bodies,
+              (std::vector<std::string>{"1dyad1/coupler", "1dyad1/rocker"}))
+        << id;
+  }
 }
 
 /// Ends are as accurate as time is, where its rounding is more than 1e-9 s.

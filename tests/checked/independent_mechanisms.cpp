@@ -23,6 +23,7 @@ const Motion goes_on = Polynomial{{1, 0.3}}, passes = Polynomial{{pi - 0.5, 1.75
              begins_from_rest = Polynomial{{pi, 0, 0, 1}}, stays = Polynomial{{pi}},
              rests_midway = Polynomial{{pi - 0.125, 0.75, -1.5, 1}},  // (t − 1/2)³ at 0.5 s
     turns_back_on_it = Polynomial{{pi - 0.25, 1, -1}},                // at 0.5 s
+    turns_back_early = Polynomial{{pi - 0.16, 1.6, -4}},              // after 0.2 s
     turns_back_late = Polynomial{{pi - 0.625, 2.1, -1.764}};          // after 0.595 s
 
 /// Comes to rest on the point after a while, and stays.
@@ -78,7 +79,10 @@ const Both all_pairs[] = {
     {"one stays, the other begins", stays, begins},
     {"one stays, the other goes on", stays, goes_on},
     {"both stay", stays, stays},
-    {"one begins, the other passes twice", begins, turns_back_late},
+    {"one begins, the other turns back later", begins, turns_back_late},
+    {"one begins, the other passes later", begins, passes},
+    {"one passes, the other turns back later", passes, turns_back_late},
+    {"one turns back, the other passes later", turns_back_early, passes},
     {"one comes to rest, the other passes", comes_to_rest(), passes},
     {"both come to rest", comes_to_rest(), comes_to_rest()},
     {"one comes to rest, the other leaves", comes_to_rest(), leaves_late()},

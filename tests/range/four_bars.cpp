@@ -50,16 +50,30 @@ TEST(FourBarRange, OfADriverLeavesTheOthersAtTheirStart) {
   }
 }
 
-TEST(FourBarRange, PassesTheChangePointsOfAParallelogram) {
-  for (const int side : {1, -1}) {  // and of the antiparallelogram
-    const DriverRange r = range_of(four_bar({1, 2, 1, 2}, 1, side));
+TEST(FourBarRange, IsATurnOrTwoPastTheChangePoints) {
+  struct Row {
+    Links links;
+    int side, turns;
+    std::vector<double> points;  // change points from 1 rad on
+  };
+  std::vector<Row> rows{{{1, 2, 1, 2}, 1, 1, {pi, 2 * pi}},      // parallelogram
+                        {{1, 2, 1, 2}, -1, 1, {pi, 2 * pi}},     // antiparallelogram
+                        {{1, 2, 2, 1}, 1, 2, {2 * pi, 4 * pi}},  // deltoid
+                        {{2, 6, 5, 7}, 1, 1, {}}};               // Grashof's crank
+  for (const double off : {1e-3, 1e-5, 1e-7, 1e-9})  // crank and ground do not reach the others
+    rows.push_back({{2.25, 2.62, 2.7 + off, 3.07}, 1, 1, {}});
+  for (const auto& [links, side, turns, points] : rows) {
+    SCOPED_TRACE(testing::Message() << links.coupler << ", " << links.rocker << ", " << side);
+    const DriverRange r = range_of(four_bar(links, 1, side));
     EXPECT_EQ(r.up.stop, RangeStop::full_turn);
-    EXPECT_EQ(r.up.turns, 1);
+    EXPECT_EQ(r.up.turns, turns);
+    EXPECT_NEAR(r.up.value, 1 + turns * 2 * pi, 1e-12);
     EXPECT_EQ(r.down.stop, RangeStop::full_turn);
-    ASSERT_EQ(r.change_points.size(), 2u);
-    EXPECT_NEAR(r.change_points[0].value, pi, 1e-9);
-    EXPECT_NEAR(r.change_points[1].value, 2 * pi, 1e-9);
-    EXPECT_GT(r.change_points[0].group, 0);
+    ASSERT_EQ(r.change_points.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NEAR(r.change_points[i].value, points[i], 1e-9);
+      if (turns == 1) EXPECT_GT(r.change_points[i].group, 0);
+    }
   }
 }
 
@@ -94,31 +108,6 @@ TEST(FourBarRange, IsNeverThatOfTheOtherBranchNextToAChangePoint) {
     EXPECT_TRUE(in.change_points.empty());
     EXPECT_TRUE(out.change_points.empty());
   }
-}
-
-TEST(FourBarRange, HasNoSingularPositionWhereOneIsNear) {
-  for (const double off :
-       {1e-3, 1e-5, 1e-7, 1e-9}) {  // crank and ground do not reach coupler + rocker
-    const DriverRange r = range_of(four_bar({2.25, 2.62, 2.7 + off, 3.07}, 1));
-    EXPECT_EQ(r.up.stop, RangeStop::full_turn) << off;
-    EXPECT_TRUE(r.change_points.empty()) << off;
-  }
-}
-
-TEST(FourBarRange, OfADeltoidIsTwoTurns) {
-  const DriverRange r = range_of(four_bar({1, 2, 2, 1}, 1));
-  EXPECT_EQ(r.up.stop, RangeStop::full_turn);
-  EXPECT_EQ(r.up.turns, 2);
-  EXPECT_NEAR(r.up.value, 1 + 4 * pi, 1e-12);
-  ASSERT_EQ(r.change_points.size(), 2u);
-  EXPECT_NEAR(r.change_points[0].value, 2 * pi, 1e-9);
-}
-
-TEST(FourBarRange, OfAGrashofCrankIsATurn) {
-  const DriverRange r = range_of(four_bar({2, 6, 5, 7}, 1));
-  EXPECT_EQ(r.up.stop, RangeStop::full_turn);
-  EXPECT_EQ(r.up.turns, 1);
-  EXPECT_TRUE(r.change_points.empty());
 }
 
 TEST(FourBarRange, FromADeadPointGoesOneWayOnTwoBranches) {

@@ -40,19 +40,12 @@ class CheckedRun final : Observer {
     motion_.begin(grid_.time(0));
     const Summary ran = formulation_.run(grid_, request_, *this);
     summary_.iterations = ran.iterations;
-    if (!ran.stopped && !ran.ok()) {
-      check_waiting();
-      if (!elsewhere_) take_failure(ran);
-    }
+    const bool has_failed = !ran.stopped && !ran.ok();
+    if (has_failed) hand_on_waiting(true);
     summary_.start = motion_.start();
-    bool has_more = elsewhere_;
-    if (!elsewhere_ && !summary_.ok()) has_more = solve_by_path(tried_);
-    if (has_more) go_on(From::last);
-    explain_failure();
-    while (!summary_.ok() && options_.past_failures) {
+    if (elsewhere_ || (has_failed && solve_after(ran))) go_on(From::last);
+    for (explain_failure(); !summary_.ok() && options_.past_failures; explain_failure())
       if (pass_gap()) go_on(From::estimate);
-      explain_failure();
-    }
     tally_.finish(summary_);
     return summary_;
   }
@@ -63,19 +56,17 @@ class CheckedRun final : Observer {
       wait(instant);
       return Flow::go_on;
     }
-    if (waiting_.empty()) return check(instant);
+    if (waiting_.empty()) return hand_on(motion_.check(instant));
     const CheckedInstant& end = motion_.check(instant);
     const auto is_on_step = [&](const Instant& i) { return motion_.is_on_step(i); };
     if (end.flag || end.is_elsewhere || !std::ranges::all_of(waiting_, is_on_step)) {
       // Something is wrong with the long step: checks its rows one by one.
       motion_.return_to_last();
-      return check_waiting() == Flow::stop ? Flow::stop : check(instant);
+      const Flow flow = hand_on_waiting(true);
+      return flow == Flow::stop ? flow : hand_on(motion_.check(instant));
     }
-    Flow flow = Flow::go_on;
-    for (const Instant& i : waiting_)
-      if (flow == Flow::go_on) flow = hand_on({.instant = i});
-    waiting_.clear();
-    return flow == Flow::go_on ? hand_on(end) : flow;
+    const Flow flow = hand_on_waiting(false);
+    return flow == Flow::stop ? flow : hand_on(end);
   }
 
   /// Returns whether an instant is not checked itself, but must lie on the step between two others.
@@ -91,19 +82,17 @@ class CheckedRun final : Observer {
     waiting_.push_back(with_values(instant, copy.view().values));
   }
 
-  Flow check(const Instant& instant) {
-    const Flow flow = hand_on(motion_.check(instant));
-    return elsewhere_ ? Flow::stop : flow;
-  }
-
-  Flow check_waiting() {
+  /// Hands on the rows that wait, checked one by one or as they are.
+  Flow hand_on_waiting(bool are_checked) {
     Flow flow = Flow::go_on;
     for (const Instant& i : waiting_)
-      if (flow == Flow::go_on) flow = check(i);
+      if (flow == Flow::go_on)
+        flow = hand_on(are_checked ? motion_.check(i) : CheckedInstant{.instant = i});
     waiting_.clear();
     return flow;
   }
 
+  /// Hands on a row. Also stops the formulation where the row is not the formulation's.
   Flow hand_on(CheckedInstant row) {
     elsewhere_ = row.is_elsewhere;
     summary_.time = row.instant.time;
@@ -119,7 +108,7 @@ class CheckedRun final : Observer {
     ++summary_.instants;
     tried_ = row.instant.index + 1;
     summary_.stopped = flow == Flow::stop;
-    return flow;
+    return elsewhere_ ? Flow::stop : flow;
   }
 
   void take_failure(const Summary& failed) {
@@ -137,10 +126,10 @@ class CheckedRun final : Observer {
     summary_.table_lock.reset();
   }
 
-  /// Returns an instant with the levels that are requested, whose numbers mean nothing.
-  Instant wanted(int index) const {
-    const std::span<const double> any = formulation_.q();
-    Instant at = instant_of(grid_.time(index), {any, any, any}, request_.level);
+  /// Returns a row with the formulation's present numbers, at the levels that are requested.
+  Instant row(int index) const {
+    const Formulation& f = formulation_;
+    Instant at = instant_of(grid_.time(index), {f.q(), f.qd(), f.qdd()}, request_.level);
     at.index = index;
     return at;
   }
@@ -148,10 +137,21 @@ class CheckedRun final : Observer {
   /// Solves an instant by the path alone, where the formulation could not. Returns whether that
   /// succeeds.
   bool solve_by_path(int index) {
-    const CheckedInstant* const found = motion_.solve(wanted(index));
+    const CheckedInstant* const found = motion_.solve(row(index));
     if (!found) return false;
     withdraw_failure();
     hand_on(*found);
+    return true;
+  }
+
+  /// Solves the next row by the path alone, after the formulation's run failed. With a stride, that
+  /// may be the failure of a later row: steps then tell how this one fails. Returns whether steps
+  /// are to go on.
+  bool solve_after(const Summary& failed) {
+    take_failure(failed);
+    if (solve_by_path(tried_)) return true;
+    if (failed.time == summary_.time) return false;
+    withdraw_failure();
     return true;
   }
 
@@ -163,16 +163,15 @@ class CheckedRun final : Observer {
       if (std::exchange(elsewhere_, false))
         stepping_of(formulation_).start_at(last_, summary_.time);  // where the last row is
       const int index = next();
-      const double t = grid_.time(index);
       const bool is_step = std::exchange(from, From::last) == From::last;
-      Formulation& f = formulation_;
-      const Summary s = is_step ? f.step(t, request_.level) : f.assemble(t, request_.level);
+      const Summary s = is_step ? formulation_.step(grid_.time(index), request_.level)
+                                : formulation_.assemble(grid_.time(index), request_.level);
       summary_.iterations += s.iterations;
       if (s.ok()) {
-        Instant solved = instant_of(t, {f.q(), f.qd(), f.qdd()}, request_.level);
-        solved.index = index, solved.updates = s.updates, solved.residual = s.residual;
+        Instant solved = row(index);
+        solved.updates = s.updates, solved.residual = s.residual;
         observe(solved);
-      } else if (check_waiting(); !elsewhere_) {
+      } else if (hand_on_waiting(true); !elsewhere_) {
         take_failure(s);
         if (!solve_by_path(index)) return;
       }
@@ -192,7 +191,7 @@ class CheckedRun final : Observer {
   /// there is one.
   bool pass_gap() {
     const auto leads_to = [&](int index) {
-      if (!motion_.try_again(wanted(index))) return false;
+      if (!motion_.try_again(row(index))) return false;
       const std::vector<double> q = motion_.followed_to();  // empty: one rests on a change point
       return !q.empty() && stepping_of(formulation_).start_at(q, grid_.time(index));
     };
@@ -229,8 +228,7 @@ CheckedSummary run_checked(Formulation& formulation, const TimeGrid& grid, const
                            Observer& observer, const CheckOptions& options) {
   if (!request.coordinates.empty())
     throw std::invalid_argument("a checked run needs all coordinates; the request names some");
-  const int n = formulation.model().coordinates();
-  if (!options.levels.empty() && std::ssize(options.levels) != n)
+  if (!options.levels.empty() && std::ssize(options.levels) != formulation.model().coordinates())
     throw std::invalid_argument("a checked run is not given one level for each coordinate");
   if (options.mode == CheckMode::sample && options.sample < 1)
     throw std::invalid_argument("a checked run is told to check every " +
