@@ -12,7 +12,7 @@
 
 #include "formulations/parts/groupwise/double_solution.h"
 #include "tests/accuracy/scenes.h"
-#include "tests/certificate/containment.h"
+#include "tests/certificate/starts.h"
 #include "tests/dead_point.h"
 
 namespace desmo::branch_path_test {
@@ -23,13 +23,8 @@ FollowedStep follow(const Model& m, const ReferenceInstant& from, const Referenc
                     std::vector<double>* end = nullptr) {
   Refinement refinement(m);
   BranchPath path(m);
-  const auto refined = [&](const ReferenceInstant& s) {
-    const RefinedInstant& r = refinement.refine(instant_of(s));
-    EXPECT_TRUE(r.proven) << m.name;
-    return certified(r);
-  };
-  EXPECT_TRUE(path.start_at(refined(from))) << m.name;
-  const FollowedStep step = path.follow(refined(to));
+  EXPECT_TRUE(path.start_at(refined(refinement, from))) << m.name;
+  const FollowedStep step = path.follow(refined(refinement, to));
   if (end)
     end->assign(path.present().values.position.begin(), path.present().values.position.end());
   return step;
@@ -116,7 +111,7 @@ TEST(BranchPath, StopsAtADeadPoint) {
   const auto solved = double_solution(m, std::vector{0.0, locks - 0.1});
   Refinement refinement(m);
   BranchPath path(m);
-  ASSERT_TRUE(path.start_at(certified(refinement.refine(instant_of(solved[1])))));
+  ASSERT_TRUE(path.start_at(refined(refinement, solved[1])));
   const FollowedStep step = path.go_to(locks + 0.1);
   std::cout << step.tests << " tests, to " << locks - step.time << " s\n";
   EXPECT_EQ(step.end, PathEnd::stuck);

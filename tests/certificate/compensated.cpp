@@ -128,7 +128,7 @@ TEST(Compensated, HoldsProductsOfUncertainNumbers) {
 }
 
 TEST(Compensated, HoldsQuotientsAndRootsOfUncertainNumbers) {
-  // Of numbers of a file far from the origin not even ten digits are certain (file_variation.h).
+  // Numbers of a file far from the origin have fewer than ten certain digits (file_variation.h).
   for (const double off : {1e-14, 1e-12, 1e-3, 0.4}) {
     const Number quotient = Number(1) / Number(1, 0, off);
     const double of_quotient = off / (1 - off), of_root = off / (1 + std::sqrt(1 - off));

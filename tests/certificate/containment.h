@@ -25,7 +25,7 @@ inline ReferenceInstant moved(const Model& m, ReferenceInstant instant, double o
   return instant;
 }
 
-/// What certificates of many instants say, compared with exact solutions.
+/// Comparison of the certificates of many instants with exact solutions.
 struct Containment {
   int instants = 0, proven = 0;
   PerLevel<double> widest;               ///< largest finite radius

@@ -30,14 +30,14 @@ struct FourBar {
     const double distance = to_pivot(theta), margin = 0.05 * (theta - point) * (theta - point);
     return distance < coupler + rocker - margin && distance > std::abs(coupler - rocker) + margin;
   }
-  /// Returns the joint of coupler and rocker. side: 1 or −1, left or right of the line from the
-  /// crank's pin to the rocker's pivot.
-  Mechanism::Vec joint(double theta, double side) const {
-    const double x = crank * std::cos(theta), y = crank * std::sin(theta), r = to_pivot(theta);
-    const double along = (r * r + coupler * coupler - rocker * rocker) / (2 * r);
-    const double above = side * std::sqrt(std::max(0.0, coupler * coupler - along * along));
-    const double ex = (base - x) / r, ey = -y / r;
-    return {x + along * ex - above * ey, y + along * ey + above * ex, 0};
+  /// Returns the four-bar with its crank at an angle. side: 1 or −1: the joint of coupler and
+  /// rocker is left or right of the line from the crank's pin to the rocker's pivot.
+  DyadChain drawn_at(double theta, int side) const {
+    return extremes::one_dyad(crank, theta, base, coupler, rocker, side);
+  }
+  /// Returns the joint of coupler and rocker.
+  Mechanism::Vec joint(double theta, int side) const {
+    return drawn_at(theta, side).dyads.front().joint;
   }
 };
 
@@ -66,12 +66,6 @@ inline FourBar drawn_four_bar(std::mt19937& generator) {
   }
 }
 
-/// Returns the scene of a four-bar that is drawn with its crank at an angle. side: as in joint().
-inline Scene scene_of(const FourBar& f, double drawn_at, int side, const Motion& crank) {
-  const DyadChain chain = extremes::one_dyad(f.crank, drawn_at, f.base, f.coupler, f.rocker, side);
-  return extremes::case_of("drawn", {chain}, {crank}, {-1, 0.01, 201}).scene;
-}
-
 /// Returns how far the joint of coupler and rocker is from a point.
 inline double joint_distance(const Model& m, std::span<const double> q,
                              const Mechanism::Vec& point) {
@@ -90,7 +84,8 @@ struct DrawnFourBar {
     sign = generator() % 2 ? 1 : -1;
   }
   Model model(const Motion& motion) const {
-    return make_model(scene_of(bars, bars.point - 0.7 * sign, side, motion));
+    const DyadChain chain = bars.drawn_at(bars.point - 0.7 * sign, side);
+    return make_model(extremes::case_of("drawn", {chain}, {motion}, {-1, 0.01, 201}).scene);
   }
   /// Returns the joint on the point, from the middles of positions about it.
   Mechanism::Vec joint_on_point() const {

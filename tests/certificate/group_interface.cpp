@@ -1,4 +1,4 @@
-// What a group of a chain hands to the next: errors of two coordinates at two levels, in one basis.
+// Errors that a group of a chain hands to the next: of two coordinates at two levels, in one basis.
 
 #include "formulations/verification/certificate/group_interface.h"
 

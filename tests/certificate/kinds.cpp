@@ -22,7 +22,7 @@ namespace {
 using Wide = boost::multiprecision::float128;
 constexpr double max_excess = 20;
 
-/// How far points are from the origin, how long links are, and how uncertain all of it is.
+/// Distance of points from the origin, length of links, and uncertainty of all of it.
 struct Place {
   double offset, size, radius;
 };

@@ -19,7 +19,7 @@
 #include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "tests/accuracy/scenes.h"
-#include "tests/certificate/containment.h"
+#include "tests/certificate/starts.h"
 #include "tests/flaps.h"
 #include "tests/mechanisms.h"
 #include "tests/overconstrained.h"
@@ -27,7 +27,7 @@
 namespace desmo::left_out_equations_test {
 namespace {
 
-/// What is found at instants of a motion.
+/// Misfits at instants of a motion.
 struct Found {
   int instants = 0, proven = 0, flagged = 0;
   Misfit largest{};
@@ -199,13 +199,8 @@ TEST(LeftOutEquations, AreToldAlongStepsThatAreShortEnough) {
   path.ask_about_steps([&](const PathProof& step) { return is_told = left_out.look_along(step); });
   for (const double step : {0.6, 0.85}) {
     const auto ends = double_solution(m, std::vector{0., step});
-    const auto refined = [&](const ReferenceInstant& s) {
-      const RefinedInstant& r = refinement.refine(instant_of(s));
-      EXPECT_TRUE(r.proven);
-      return certified(r);
-    };
-    ASSERT_TRUE(path.start_at(refined(ends[0])));
-    const FollowedStep followed = path.follow(refined(ends[1]));
+    ASSERT_TRUE(path.start_at(refined(refinement, ends[0])));
+    const FollowedStep followed = path.follow(refined(refinement, ends[1]));
     EXPECT_EQ(followed.end, PathEnd::same);
     EXPECT_EQ(followed.sub_steps == 1, step < 0.7);
     EXPECT_TRUE(is_told);

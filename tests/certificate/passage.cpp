@@ -26,7 +26,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int scenes = DESMO_SANITIZED ? 8 : 100;
 
-/// How a motion meets the point at t = 0, from −0.7 sign before it at t = −1.
+/// A motion that meets the point at t = 0, from −0.7 sign before it at t = −1.
 struct Way {
   const char* name;
   bool passes;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cases/extremes/rows.h"
+#include "formulations/model/scales.h"
 #include "tests/certificate/starts.h"
 #include "tests/dead_point.h"
 #include "tests/mechanisms.h"
@@ -58,7 +59,7 @@ TEST(Start, IsOnTheBranchOfTheDrawing) {
       EXPECT_EQ(found.share, 1);
       const std::vector<double> right = in_short_steps(m, to, 0.03);
       ASSERT_FALSE(right.empty());
-      EXPECT_LT(position_distance(m, found.q, right), 1e-9 * drawn_size(m));
+      EXPECT_LT(position_distance(m, found.q, right), 1e-9 * nominal_size(m));
       for (const Entity& e : m.entities)
         if (!e.fixed && e.kind == EntityKind::angle && !independent_coordinates(m)[e.first])
           EXPECT_LE(std::abs(found.q[e.first] - m.estimate[e.first]), whole_turn / 2 + 1e-9);

@@ -15,11 +15,19 @@
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/passage.h"
 #include "formulations/verification/branch/straight_path.h"
+#include "tests/certificate/containment.h"
 #include "tests/properties/continuation.h"
 
 namespace desmo {
 
 inline constexpr double whole_turn = 2 * std::numbers::pi;
+
+/// Refines a solved instant, and expects a proof. The result is valid until the next refinement.
+inline CertifiedInstant refined(Refinement& refinement, const ReferenceInstant& s) {
+  const RefinedInstant& r = refinement.refine(instant_of(s));
+  EXPECT_TRUE(r.proven) << s.time;
+  return certified(r);
+}
 
 /// Starts at the model's estimate at a time.
 inline bool start(const Model& m, double time, BranchPath& path) {
@@ -39,13 +47,6 @@ struct StuckPath : BranchPath {
 inline std::vector<double> positions_on(PassedPoint& point, const Model& m, double time) {
   StraightPath path(m);
   return point.find_positions(path, time);
-}
-
-/// Returns the largest drawn coordinate.
-inline double drawn_size(const Model& m) {
-  double size = 0;
-  for (const double q : m.estimate) size = std::max(size, std::abs(q));
-  return size;
 }
 
 /// Returns the largest distance of two positions, without whole turns of angles.
@@ -70,38 +71,43 @@ inline std::vector<double> drawn_drivers(const Model& m) {
   return values;
 }
 
-/// Follows drivers from the drawing straight to these values, in steps of `step` in each driver, by
-/// Newton's method alone. Returns the positions there; empty: it did not converge.
-inline std::vector<double> in_short_steps(Model m, const std::vector<double>& to, double step) {
-  const std::vector<double> from = drawn_drivers(m);
-  double longest = 0;
-  for (std::size_t k = 0; k < to.size(); ++k)
-    longest = std::max(longest, std::abs(to[k] - from[k]));
-  const double seconds = std::max(0.01, longest / step * 0.01);  // in steps of 10 ms
-  for (std::size_t k = 0; k < to.size(); ++k)
-    m.drivers[k].motion = Polynomial{{from[k], (to[k] - from[k]) / seconds}};
-  try {
-    return double_solution(m, std::vector{0.0, seconds}).back().q;
-  } catch (const std::runtime_error&) {
-    return {};
-  }
-}
-
 /// Returns the model with constant drivers.
 inline Model held_at(Model m, const std::vector<double>& values) {
   for (std::size_t k = 0; k < values.size(); ++k) m.drivers[k].motion = Polynomial{{values[k]}};
   return m;
 }
 
+/// Returns the model with drivers that go from the drawing straight to these values, in a time [s].
+inline Model led_to(Model m, const std::vector<double>& values, double time) {
+  const std::vector<double> from = drawn_drivers(m);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    m.drivers[k].motion = Polynomial{{from[k], (values[k] - from[k]) / time}};
+  return m;
+}
+
+/// Follows drivers from the drawing straight to these values, in steps of `step` in each driver, by
+/// Newton's method alone. Returns the positions there; empty: it did not converge.
+inline std::vector<double> in_short_steps(const Model& m, const std::vector<double>& to,
+                                          double step) {
+  const std::vector<double> from = drawn_drivers(m);
+  double longest = 0;
+  for (std::size_t k = 0; k < to.size(); ++k)
+    longest = std::max(longest, std::abs(to[k] - from[k]));
+  const double seconds = std::max(0.01, longest / step * 0.01);  // in steps of 10 ms
+  try {
+    return double_solution(led_to(m, to, seconds), std::vector{0.0, seconds}).back().q;
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
 /// Returns whether the judge finds a regular way from the drawing to these values of the drivers.
 /// Nearer to a singular position than this condition number says nothing has to be proven.
-inline bool has_way(Model m, const std::vector<double>& to) {
+inline bool has_way(const Model& m, const std::vector<double>& to) {
   constexpr double max_condition = 1e7;
-  const std::vector<double> from = drawn_drivers(m);
-  for (std::size_t k = 0; k < to.size(); ++k)
-    m.drivers[k].motion = Polynomial{{from[k], to[k] - from[k]}};
-  Continuation way(m);
-  way.begin(motions_of(m), 0);
+  const Model led = led_to(m, to, 1);
+  Continuation way(led);
+  way.begin(motions_of(led), 0);
   return way.go_to(1) && way.crossings() == 0 && way.max_condition() < max_condition;
 }
 

@@ -204,7 +204,7 @@ TEST(TaylorModel, BoundsSinesOfCompensatedLines) {
   expect_held(line, sin(line), sine, 1 / 1.5);
 }
 
-/// What an angle at a time of 10¹² s is, to more digits than a double has.
+/// An angle at a time of 10¹² s has more digits than a double.
 TEST(TaylorModel, KeepsTheDigitsOfCompensatedNumbers) {
   Precise time(1e12);
   time.c[1] = 0.005;

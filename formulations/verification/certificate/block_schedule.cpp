@@ -45,8 +45,8 @@ class ScheduleBuilder {
   }
 
  private:
-  /// What can be certified once all lower depths are: links and other blocks whose inputs all have
-  /// lower depths.
+  /// Links and other blocks whose inputs all have lower depths. They can be certified once all
+  /// lower depths are.
   struct Depth {
     std::vector<CertificationStep> links;
     std::vector<BlockBatch::Member> members;
@@ -177,7 +177,7 @@ class ScheduleBuilder {
   // Inputs of each group, by the group that solves them; -1: they are driven.
   std::vector<std::map<int, std::vector<int>>> inputs_;
   std::vector<int> chain_;     // groups in the longest chain through each
-  std::vector<bool> is_link_;  // whether each group gets a ChainLink
+  std::vector<bool> is_link_;  // groups that get a ChainLink
   std::map<int, int> link_of_;
   std::vector<int> group_;  // group that solves each coordinate; -1: it is driven
   std::vector<int> row_;    // row of each coordinate in its link; -1: it is in none

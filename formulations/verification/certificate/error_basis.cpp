@@ -54,8 +54,8 @@ void ErrorBasis::find_directions() {
       }
       double length = 0;
       for (int i = 0; i < d; ++i) length += basis_[i * d + s] * basis_[i * d + s];
-      // What is left of a direction that depends on earlier ones has a squared length below
-      // 1/(2 d). The next unit vector then replaces it. One always serves: the squared lengths that
+      // A direction depends on earlier ones if less than 1/(2 d) of its squared length is left.
+      // The next unit vector then replaces it. One always serves: the squared lengths that
       // are left of all d unit vectors sum to d − s ≥ 1, those of rejected ones to less than 1/2.
       again = length * (2 * d) < 1 && unit < d;
       length = again ? 1 : 1 / std::sqrt(length);

@@ -15,7 +15,7 @@ struct GroupInterface {
   std::vector<int> rows;  ///< row of each coordinate in ErrorTable while its group is certified
   ErrorBasis basis;       ///< errors of all coordinates, one level after the other
   PerLevel<std::vector<double>> centre;  ///< centres of these errors
-  /// Whether basis and centres hold the errors of this instant; if not, lend() hands on boxes.
+  /// Basis and centres hold the errors of this instant. If not, lend() hands on boxes.
   bool enclosed = false;
 
   int size() const { return static_cast<int>(coordinates.size()); }

@@ -56,7 +56,7 @@ class Refinement {
 
   const Model& m_;
   Certifier certifier_;
-  std::vector<LaneMask> lengths_;  // which of each four coordinates are lengths, not rotations
+  std::vector<LaneMask> lengths_;  // lanes of each four coordinates that are no rotations
   std::span<const Level> levels_;  // of the present instant
   Values next_, radius_;           // numbers with the corrections of the last pass, their radii
   Values best_, best_radius_;      // these numbers and radii of the best pass at each level

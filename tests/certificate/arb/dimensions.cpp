@@ -33,7 +33,7 @@ struct Attained {
   }
 };
 
-/// Those of sums and products take up rounding, by a factor of up to four.
+/// Radii of sums and products take up rounding, by a factor of up to four.
 TEST(Derived, HoldsEachOperation) {
   std::mt19937 generator(1);
   std::map<std::string, Attained> attained;
