@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -12,6 +11,7 @@
 #include "bench/kit/verification.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
+#include "cases/mechanism/names.h"
 #include "formulations/id.h"
 
 namespace desmo::paper::requests_test {
@@ -25,11 +25,9 @@ struct Requests : testing::Test {
   }();
 
   std::shared_ptr<const PlannedRequest> planned(std::string_view name) const {
-    for (const RequestScene& r : request_scenes())
-      if (r.name == name)
-        return std::make_shared<const PlannedRequest>(
-            name, parse_scene(r.scene, std::string(name), {}), options);
-    throw std::invalid_argument("no such request");
+    const RequestScene& request = entry_named(name, request_scenes(), "request");
+    return std::make_shared<const PlannedRequest>(
+        name, parse_scene(request.scene, std::string(name), {}), options);
   }
 };
 

@@ -1,4 +1,4 @@
-// What the experiment modelling measures: problems in other coordinates and their linear systems.
+// The experiment modelling: its problems in other coordinates, and their linear systems.
 
 #include "formulations/modelling/modelling.h"
 
@@ -35,7 +35,8 @@ TEST(LinearSystems, AreThoseThatLibrariesGet) {
   EXPECT_GT(whole.condensation, parts.condensation);
 }
 
-// In their own code and against the reference of the natural model: a wrong coordinate is refused.
+// Candidates have code of their own, and are compared with the reference of the natural model: a
+// wrong coordinate is refused.
 TEST(ModellingProblems, AreVerifiedByNames) {
   const Scene scene = truck_suspension(1);
   const TimeGrid grid{.start = 0, .step = 0.01, .instants = 5};
@@ -58,7 +59,7 @@ TEST(ModellingProblems, AreVerifiedByNames) {
       mistaken.verify();
       EXPECT_TRUE(mistaken.is_failed());
     }
-    // What is derived adds equations, and in `basis` none.
+    // Derived coordinates add equations, except in `basis`.
     const double ratio = modelling::condition_at_start(right.plan.model, 0) /
                          modelling::condition_at_start(natural.plan.model, 0);
     EXPECT_EQ(kind == Modelling::basis, std::abs(ratio - 1) < 1e-9) << ratio;
