@@ -54,7 +54,7 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
 TEST_F(Requests, FailWhereSomethingNeededIsLeftOut) {
   auto request = std::make_shared<PlannedRequest>(*planned("damper"));
   ASSERT_EQ(request->delivered.size(), 1u);
-  EXPECT_EQ(request->compared.size(), 2u);  // its position and its velocity
+  EXPECT_EQ(request->compared.size(), 2u);                    // its position and its velocity
   for (int i = 0; i < std::ssize(request->plan.levels); ++i)  // not what its velocity needs
     if (i != request->delivered[0]) request->plan.levels[i] = Level::position;
   RequestCandidate candidate(request, parse_id("group_symbolic_inlined"));
