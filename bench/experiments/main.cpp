@@ -24,7 +24,8 @@ using namespace desmo::bench;
 
 using RunFunction = ExitCode(const CommandLine&);
 
-// These need more generated code than that of the cases. desmo_bench_all alone has it.
+// Run functions of the experiments that need more generated code than that of the cases. Only
+// desmo_bench_all has them.
 #ifdef DESMO_ALL_EXPERIMENTS
 constexpr RunFunction *run_modelling = desmo::modelling::run, *run_extremes = desmo::extremes::run;
 #else

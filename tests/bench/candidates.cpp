@@ -162,7 +162,7 @@ TEST(Problems, CountWhatMoves) {
   EXPECT_EQ(moving_unknowns(make_model(make_scene(find_case("truck_suspension"), 225))), 218);
 }
 
-/// What several threads are compared with: the same on one, by the same clock, under its own name.
+/// Several threads are compared with one, by the same clock; that candidate has a name of its own.
 TEST(ParallelCandidates, StandBesideOneThreadByTheWallClock) {
   std::set<std::string> names;
   for (const auto& candidate : make_case_candidates({})) {

@@ -24,7 +24,7 @@
 namespace desmo::paper::digests_test {
 namespace {
 
-// Of FIPS 180-2, appendix B.
+// The digest of "abc" is that of FIPS 180-2, appendix B.
 TEST(Digests, AreSha256) {
   EXPECT_EQ(Digest().add("abc").hex(),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* names[] = {"tree", "tree_adams8"};
 
-/// Of all that is made by hand, of a case: its references take longest.
+/// Tests of both peers in one case, which share its references: these take longest.
 class TreePeersOfCase : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
@@ -71,8 +71,8 @@ TEST_P(TreePeers, AssembleAnewWhateverWasSolvedBefore) {
   EXPECT_EQ(solver->iterations(), iterations);
 }
 
-/// As many iterations as ours from the same guess to the same tolerance: the peer is not held
-/// back.
+/// The peer is not held back: it takes no more iterations than ours from the same guess to the same
+/// tolerance.
 TEST_P(TreePeers, NeedNoMoreIterationsThanOurs) {
   const Scene scene = truck_suspension(1);
   const Model model = make_model(scene);

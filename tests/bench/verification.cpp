@@ -1,4 +1,4 @@
-// What is compared with the reference, and when it counts as agreeing.
+// Comparisons with the reference: values, scales and instants that agree, and that do not.
 
 #include "bench/kit/verification.h"
 
@@ -70,7 +70,7 @@ TEST_F(Verification, ComparesInstantsInAnyOrder) {
   EXPECT_NEAR(observer.compare().errors.position, 0.5, 1e-15);
 }
 
-/// Of a mechanism of 2 km, differences count for what they are of its size, speed and acceleration.
+/// Differences are divided by scales: 2 km for the first coordinate here, 1 for the second.
 TEST_F(Verification, ComparesRelativelyToScales) {
   const PerLevel<std::vector<double>> scales{{2000, 1}, {1, 1}, {1, 1}};
   const auto failure = [&](double first, double second) {

@@ -11,7 +11,7 @@
 
 namespace desmo {
 
-/// How a test's name and its failures show a row.
+/// Prints a row in names and failures of tests.
 inline void PrintTo(const Extreme& row, std::ostream* out) { *out << row.number; }
 
 }  // namespace desmo

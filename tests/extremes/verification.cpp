@@ -1,4 +1,4 @@
-// What is called a defect, and what is not.
+// Verdicts on runs of extremes: defects, what is missed, and what is as expected.
 #include "bench/experiments/extremes/verification.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class CaseVerification : public testing::Test {
     run.errors[0][instant].reset();
     run.message = "no convergence";
   }
-  /// As a run says of an instant that it is no better than that, at all levels.
+  /// Makes an instant unproven, with a radius of `bound` at all levels.
   void degrade(int instant, double bound) {
     run.steps[instant].flag = CaseRun::Flag::unproven;
     run.stated[instant]->radius = {bound, bound, bound};

@@ -61,7 +61,7 @@ TEST(Trials, ReducedSettingsReachErrorsOfFourSizes) {
   }
 }
 
-/// Of however many instants of however long a motion: no stride hides its error between them.
+/// No stride hides its error between the instants that it solves, whatever the grid.
 TEST(Trials, SeeTheErrorBetweenSolvedInstants) {
   const Scene scene = make_scene(find_case("truck_suspension"), 114);
   for (const auto& [duration, compared] : {std::pair{1.0, 21}, {2.0, 101}, {0.8, 6}}) {
@@ -122,7 +122,7 @@ TEST(Trials, HaveNoTimeWithoutAnError) {
   EXPECT_FALSE(failing.is_timed());
 }
 
-/// At instants that the search has not looked at.
+/// Returns the error at instants that the search has not looked at.
 double error_elsewhere(const Scene& scene, const Configuration& c, Level level) {
   const Problem p = problem(scene, seconds, 47);
   Trial trial(p, c);

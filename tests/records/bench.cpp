@@ -48,7 +48,7 @@ TEST_F(Bench, ExitCodesSayWhatHappened) {
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null"));
 }
 
-/// What it says, on standard output and standard error.
+/// Returns what the program writes to standard output and standard error.
 std::string said(const std::string& arguments) { return run(DESMO_BENCH " " + arguments).text; }
 
 TEST_F(Bench, HasEveryExperimentByItsName) {
@@ -118,7 +118,7 @@ TEST_F(Bench, ShowsEveryBenchmarkOnlyWhereAsked) {
 TEST_F(Bench, RecordsAreReadByTheReport) {
   const std::string record = file("record.json");
   const std::string report = DESMO_REPORT " tables " + record;
-  // With a candidate that is not run, and with one that fails.
+  // Records with a candidate that is not run, and with one that fails
   ASSERT_EQ(run_bench("--duration=0.02 --record=" + record +
                       " '--benchmark_filter=/(114|225)/global_automatic_(klu|lapack)$'"),
             0);
@@ -129,14 +129,14 @@ TEST_F(Bench, RecordsAreReadByTheReport) {
     EXPECT_CONTAINS(text, "{\"case\":\"" + std::string(of)) << of;
   ASSERT_EQ(run_bench("--step=2 --record=" + record + too_few), 1);
   EXPECT_EQ(run(report).code, 0);
-  // With requests alone.
+  // A record of requests alone
   ASSERT_EQ(run_bench("--duration=0.02 --record=" + record +
                       " '--benchmark_filter=request:(damper|axle)$'"),
             0);
   EXPECT_CONTAINS(run(report + " --all").text, "What a request costs");
 }
 
-// With a peer, a request beside everything, and several threads and one.
+// The record has a peer, a request with the whole it is part of, and several threads with one.
 TEST_F(Bench, RecordsOfAllKindsAreReadByTheReport) {
   const std::string record = file("record.json");
   ASSERT_EQ(

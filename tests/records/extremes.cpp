@@ -16,7 +16,7 @@ class ExtremesProgram : public InFolder {
   const std::string record_ = file("record.json");
 };
 
-/// Also next to dead points, of row 3, nothing is found wrong.
+/// Nothing is found wrong next to dead points either, which are in row 3.
 TEST_F(ExtremesProgram, RecordsWhatTheReportReads) {
   for (const char* rows : {"--row 10 --row 13 --filter '^group_.*_eigen$'",
                            "--row 3 --filter '^global_automatic_klu$'"}) {

@@ -1,4 +1,4 @@
-// What bench/check measures with: the probe's candidates, the driver, and counts that repeat.
+// Programs of bench/check: the candidates of the probe, the driver, and counts that repeat.
 
 #include <filesystem>
 #include <fstream>
@@ -145,7 +145,7 @@ TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
   EXPECT_EQ(text("history.json"), R"({"schema": "desmo-check"})");
 }
 
-// What is measured is compiled without line numbers: another line of comment gives the same object.
+// Measured code is compiled without line numbers: another line of comment gives the same object.
 TEST_F(Driver, ACommentChangesNoInstruction) {
   const std::string source = DESMO_SOURCE_DIR "/formulations/parts/inlined_part.cpp";
   write("plain.cpp", text_of(source));

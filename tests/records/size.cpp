@@ -29,26 +29,10 @@ Problem problem_of(const char* name, int coordinates) {
   return make_problem(make_model(make_scene(find_case(name), coordinates)), instants(5), 1e-12);
 }
 
-TEST(SizeCandidate, IsVerifiedBeforeItIsTimed) {
+TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   const Problem problem = problem_of("truck_suspension", 114);
   EXPECT_STREQ(problem.checked_against, "quadruple");
   EXPECT_EQ(problem.reference.instants.size(), 3u);
-  FormulationCandidate right(problem, "group_symbolic_explicit/lanes:4",
-                             {.tolerance = problem.tolerance});
-  right.sample_afresh(0);
-  EXPECT_FALSE(right.is_timed());
-  right.verify();
-  ASSERT_TRUE(right.is_verified()) << right.message();
-  EXPECT_EQ(right.verifying_run().errors.instants, 3);
-  right.sample_afresh(0);
-  right.sample_afresh(0);
-  EXPECT_EQ(right.seconds().size(), 2u);
-  EXPECT_GT(right.seconds()[0], 0);
-  EXPECT_GT(right.verifying_run().iterations_per_step, 1);
-}
-
-TEST(SizeCandidate, ThatIsWrongHasNoTime) {
-  const Problem problem = problem_of("truck_suspension", 114);
   // One iteration is not enough; the tolerance is not asked of a fixed number of them.
   FormulationCandidate inexact(problem, "group_symbolic_inlined/iterations:1",
                                {.tolerance = problem.tolerance});

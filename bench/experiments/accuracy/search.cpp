@@ -88,11 +88,10 @@ class Searcher {
   double error(const Trial& t) const {
     return t.is_verified() ? t.error[goal_.level].max : infinity;
   }
-  bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / error_margin; }
-  bool is_cheap(double seconds) const { return seconds <= goal_.budget; }
   bool meets_goal(const Trial& t) const {
     if (!t.is_verified()) return false;
-    return goal_.budget > 0 ? is_cheap(t.min_seconds()) : is_accurate(t);
+    return goal_.budget > 0 ? t.min_seconds() <= goal_.budget
+                            : error(t) <= goal_.max_error / error_margin;
   }
 
   /// Returns the error in whole half decades, so that effects of rounding do not decide.

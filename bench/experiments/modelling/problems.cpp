@@ -4,7 +4,6 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "bench/kit/verification.h"
 #include "formulations/algebra/condensation.h"
