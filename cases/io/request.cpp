@@ -39,19 +39,15 @@ class RequestReader {
       entry.complain(
           "asks for nothing; give points, vectors, angles, distances, bodies, rotations, joints, "
           "ratios or \"everything\": true");
-    const auto want_kind = [&](Kind kind) {
-      return [this, kind, level](int i, auto) { want(kind, i, level); };
-    };
-    names_.read(entry, names_.points, want_kind(Kind::point));
-    names_.read(entry, names_.vectors, want_kind(Kind::vector));
-    names_.read(entry, names_.angles, want_kind(Kind::coordinate));
-    names_.read(entry, names_.distances, want_kind(Kind::coordinate));
-    const auto measure_kind = [&](MeasureKind kind) {
-      return [this, kind, level](int i, std::string_view by) { measure(kind, i, level, by); };
-    };
-    names_.read(entry, names_.bodies, [&](int i, auto) { want_body(i, level); });
-    names_.read(entry, names_.rotations, measure_kind(MeasureKind::rotation));
-    names_.read(entry, names_.joints, measure_kind(MeasureKind::joint));
+    for (const auto& [key, kind] : {std::pair(&names_.points, Kind::point),
+                                    {&names_.vectors, Kind::vector},
+                                    {&names_.angles, Kind::coordinate},
+                                    {&names_.distances, Kind::coordinate}})
+      for (const AskedEntity& asked : names_.read(entry, *key)) want(kind, asked.index, level);
+    for (const AskedEntity& body : names_.read(entry, names_.bodies)) want_body(body.index, level);
+    for (const auto& [key, kind] : {std::pair(&names_.rotations, MeasureKind::rotation),
+                                    {&names_.joints, MeasureKind::joint}})
+      for (const AskedEntity& asked : names_.read(entry, *key)) measure(kind, asked, level);
     if (const auto ratios = entry.find("ratios")) {
       if (level_given && level != Level::velocity)
         level_given->complain(
@@ -69,22 +65,31 @@ class RequestReader {
     return static_cast<Level>(value.choose("level", names));
   }
 
-  void want(Kind kind, int index, Level level) {
-    const auto [place, is_new] = places_.try_emplace({kind, index}, scene_.request.size());
-    if (is_new) scene_.request.push_back({kind, index, level});
-    Level& known = scene_.request[place->second].level;
-    known = std::max(known, level);
+  /// Index in a list of requested entities or measures, by their kind and index in the mechanism.
+  template <class Entry>
+  using Places = std::map<std::pair<typename Entry::Kind, int>, std::size_t>;
+
+  /// Returns the entry of the same kind and index in a list, at the higher one of both levels. Adds
+  /// the entry where there is none.
+  template <class Entry>
+  static Entry& listed(std::vector<Entry>& list, Places<Entry>& places, const Entry& entry) {
+    const auto [place, is_new] = places.try_emplace({entry.kind, entry.index}, list.size());
+    if (is_new) list.push_back(entry);
+    Entry& known = list[place->second];
+    known.level = std::max(known.level, entry.level);
+    return known;
   }
 
-  void measure(MeasureKind kind, int index, Level level, std::string_view pattern) {
-    const bool by_pattern = !pattern.empty();
-    if (by_pattern) scene_.patterns.emplace(kind, pattern);
-    const auto [place, is_new] = measure_places_.try_emplace({kind, index}, scene_.measures.size());
-    if (is_new)
-      scene_.measures.push_back(
-          {.kind = kind, .index = index, .level = level, .by_pattern = by_pattern});
-    RequestedMeasure& known = scene_.measures[place->second];
-    known.level = std::max(known.level, level);
+  void want(Kind kind, int index, Level level) {
+    listed(scene_.request, places_, {kind, index, level});
+  }
+
+  void measure(MeasureKind kind, const AskedEntity& asked, Level level) {
+    const bool by_pattern = !asked.pattern.empty();
+    if (by_pattern) scene_.patterns.emplace(kind, asked.pattern);
+    RequestedMeasure& known =
+        listed(scene_.measures, measure_places_,
+               {.kind = kind, .index = asked.index, .level = level, .by_pattern = by_pattern});
     known.by_pattern = known.by_pattern && by_pattern;
   }
 
@@ -124,10 +129,10 @@ class RequestReader {
 
   Scene& scene_;
   Requestable names_;
-  std::vector<std::optional<Level>> body_levels_;       // by body: highest level requested so far
-  std::optional<Level> everything_level_;               // highest level of "everything" so far
-  std::map<std::pair<Kind, int>, std::size_t> places_;  // index in Scene::request
-  std::map<std::pair<MeasureKind, int>, std::size_t> measure_places_;  // index in Scene::measures
+  std::vector<std::optional<Level>> body_levels_;  // by body: highest level requested so far
+  std::optional<Level> everything_level_;          // highest level of "everything" so far
+  Places<RequestedEntity> places_;
+  Places<RequestedMeasure> measure_places_;
   std::set<std::string> ratios_;
 };
 

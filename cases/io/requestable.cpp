@@ -1,6 +1,7 @@
 #include "cases/io/requestable.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "cases/mechanism/carriers.h"
 #include "cases/mechanism/joint_forms.h"
@@ -41,47 +42,46 @@ Requestable::Requestable(const Mechanism& mechanism) : mechanism_(mechanism) {
   });
 }
 
-void Requestable::read(const JsonValue& entry, const RequestKey& names, const Want& want) {
+std::vector<AskedEntity> Requestable::read(const JsonValue& entry, const RequestKey& names) {
+  std::vector<AskedEntity> asked;
   const auto list = entry.find(names.key);
-  if (!list) return;
-  if (list->is_object() && defines_in_place(names)) {
-    for (const JsonValue& defined : list->members()) want(names.find(defined, defined.key()), "");
-    return;
+  if (!list) return asked;
+  if (list->is_object() && names.defines) {
+    for (const JsonValue& defined : list->members())
+      asked.push_back({names.find(defined, defined.key()), {}});
+    return asked;
   }
   const std::vector<JsonValue> listed = list->elements();
   if (listed.empty()) list->complain("is an empty list; name something or leave it out");
   for (const JsonValue& name : listed) {
-    if (name.is_object() && defines_in_place(names))
+    if (name.is_object() && names.defines)
       name.complain("defines something in a list of names; give \"" + names.key +
                     "\": {\"NAME\": …} in an entry of its own");
     if (name.text().find('*') != std::string_view::npos) {
-      for (const int i : match(name, names)) want(i, name.text());
+      match(name, names, asked);
     } else {
       check_kind(name, names);
       if (&names == &joints) check_joint(name);
-      want(names.find(name), "");
+      asked.push_back({names.find(name), {}});
     }
   }
+  return asked;
 }
 
-bool Requestable::defines_in_place(const RequestKey& names) const {
-  return &names == &points || &names == &angles || &names == &distances;
-}
-
-std::vector<int> Requestable::match(const JsonValue& pattern, const RequestKey& names) {
+void Requestable::match(const JsonValue& pattern, const RequestKey& names,
+                        std::vector<AskedEntity>& asked) {
   if (characters(pattern.text()) > max_name)
     pattern.complain("the pattern is longer than " + std::to_string(max_name) +
                      " characters; shorten it");
   if (++patterns_ > max_patterns)
     pattern.complain("the request has more than " + std::to_string(max_patterns) +
                      " patterns with *; join some");
-  std::vector<int> found;
+  const std::size_t before = asked.size();
   for (const std::string_view name : names.names())
-    if (matches(pattern.text(), name)) found.push_back(*names.position(name));
-  if (found.empty())
+    if (matches(pattern.text(), name)) asked.push_back({*names.position(name), pattern.text()});
+  if (asked.size() == before)
     pattern.complain("the pattern " + in_quotes(pattern.text()) + " matches none of the " +
                      names.key + "; " + suggestion(pattern.text(), names.names()));
-  return found;
 }
 
 /// Refuses three names with messages of their own. NameTable::find(), which is called next, would
