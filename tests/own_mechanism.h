@@ -1,7 +1,11 @@
 // A mechanism for whose groups desmo was built without generated code.
 #pragma once
 
+#include <array>
 #include <string>
+
+#include "cases/mechanism/formatted.h"
+#include "tests/replaced.h"
 
 namespace desmo {
 
@@ -10,41 +14,38 @@ namespace desmo {
 inline std::string swinging_plates(int copies, const std::string& rest) {
   std::string points, ground, bodies, joints, coordinates, drivers, motion;
   for (int i = 0; i < copies; ++i) {
-    const std::string p = std::string(1, static_cast<char>('a' + i)) + "/", comma = i ? "," : "";
-    const auto name = [&](const std::string& n) { return "\"" + p + n + "\""; };
-    const auto pair = [&](const std::string& a, const std::string& b) {
-      return "[" + name(a) + "," + name(b) + "]";
+    // Adds members to a list; ~ begins each name of this linkage.
+    const auto add = [&](std::string& list, const std::string& members) {
+      const std::string prefix = {static_cast<char>('a' + i), '/'};
+      list += (list.empty() ? "" : ", ") + replaced_everywhere(members, "~", prefix);
     };
-    const auto revolute = [&](const std::string& a, const std::string& b, const std::string& at) {
-      const std::string first = a == "ground" ? "\"ground\"" : name(a);
-      return R"({"type": "revolute", "bodies": [)" + first + "," + name(b) + R"(], "points": [)" +
-             name(at) + "]},";
-    };
-    points += comma + name("O") + ": [0, 0]," + name("P") + ": [1, 0]," + name("G") + ": [8, 0]," +
-              name("H") + ": [9, 5]," + name("Q1") + ": [3, 2]," + name("Q2") + ": [6, 2]," +
-              name("Q3") + ": [4.5, " + std::to_string(4.5 + 0.1 * i) + "]," + name("R") +
-              ": [5, 3]," + name("K") + ": [5, -6]," + name("S") + ": [5, -3]";
-    ground += comma + name("O") + "," + name("G") + "," + name("H") + "," + name("K");
-    bodies += comma + name("crank") + R"(: {"points": )" + pair("O", "P") + "}," + name("link1") +
-              R"(: {"points": )" + pair("P", "Q1") + "}," + name("link2") + R"(: {"points": )" +
-              pair("G", "Q2") + "}," + name("link3") + R"(: {"points": )" + pair("H", "Q3") + "}," +
-              name("plate") + R"(: {"points": [)" + name("Q1") + "," + name("Q2") + "," +
-              name("Q3") + "," + name("R") + "]}," + name("rod") + R"(: {"points": )" +
-              pair("R", "S") + "}," + name("slider") + R"(: {"points": [)" + name("S") +
-              R"(], "vectors": ["y"]})";
-    joints += revolute("ground", "crank", "O") + revolute("crank", "link1", "P") +
-              revolute("ground", "link2", "G") + revolute("ground", "link3", "H") +
-              revolute("link1", "plate", "Q1") + revolute("link2", "plate", "Q2") +
-              revolute("link3", "plate", "Q3") + revolute("plate", "rod", "R") +
-              revolute("rod", "slider", "S") + R"({"type": "prismatic", "bodies": ["ground",)" +
-              name("slider") + R"(], "vectors": ["y"], "points": )" + pair("K", "S") + "}" +
-              (i + 1 < copies ? "," : "");
-    coordinates += comma + name("theta") + R"(: {"angle": )" + pair("O", "P") + "}," +
-                   name("beta") + R"(: {"angle": )" + pair("Q1", "Q2") + "}," + name("s") +
-                   R"(: {"distance": )" + pair("K", "S") + R"(, "along": "y"})";
-    drivers += comma + name("theta");
-    motion += comma + name("theta") + R"(: {"type": "polynomial", "coefficients": [-10, )" +
-              std::to_string(30 + i) + "]}";
+    add(points, R"("~O": [0, 0], "~P": [1, 0], "~G": [8, 0], "~H": [9, 5], "~Q1": [3, 2],
+        "~Q2": [6, 2], "~Q3": [4.5, )" +
+                    std::to_string(4.5 + 0.1 * i) +
+                    R"(], "~R": [5, 3], "~K": [5, -6], "~S": [5, -3])");
+    add(ground, R"("~O", "~G", "~H", "~K")");
+    add(bodies, R"("~crank": {"points": ["~O", "~P"]}, "~link1": {"points": ["~P", "~Q1"]},
+        "~link2": {"points": ["~G", "~Q2"]}, "~link3": {"points": ["~H", "~Q3"]},
+        "~plate": {"points": ["~Q1", "~Q2", "~Q3", "~R"]}, "~rod": {"points": ["~R", "~S"]},
+        "~slider": {"points": ["~S"], "vectors": ["y"]})");
+    for (const auto& [first, second, at] : {std::array{"ground", "~crank", "~O"},
+                                            {"~crank", "~link1", "~P"},
+                                            {"ground", "~link2", "~G"},
+                                            {"ground", "~link3", "~H"},
+                                            {"~link1", "~plate", "~Q1"},
+                                            {"~link2", "~plate", "~Q2"},
+                                            {"~link3", "~plate", "~Q3"},
+                                            {"~plate", "~rod", "~R"},
+                                            {"~rod", "~slider", "~S"}})
+      add(joints, formatted(R"({"type": "revolute", "bodies": ["%s", "%s"], "points": ["%s"]})",
+                            first, second, at));
+    add(joints, R"({"type": "prismatic", "bodies": ["ground", "~slider"], "vectors": ["y"],
+        "points": ["~K", "~S"]})");
+    add(coordinates, R"("~theta": {"angle": ["~O", "~P"]}, "~beta": {"angle": ["~Q1", "~Q2"]},
+        "~s": {"distance": ["~K", "~S"], "along": "y"})");
+    add(drivers, R"("~theta")");
+    add(motion,
+        formatted(R"("~theta": {"type": "polynomial", "coefficients": [-10, %d]})", 30 + i));
   }
   return R"({"format": "desmo-scene", "version": 1, "mechanism": {
     "format": "desmo-mechanism", "version": 1, "name": "plates", "title": "$(touch pwned) */ \" \\",

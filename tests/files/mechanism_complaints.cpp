@@ -79,12 +79,8 @@ TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
        "/units/length: unknown unit 'km'; there are 'm', 'mm', 'cm', 'in', '1'"},
       {"\"deg\"", "true", "/units/angle: is true; give a text"},
       {"\"slider_crank\"", "\"slider:crank\"", "/name: 'slider:crank' is not a name; use "},
-      {"\"C\": [200", "\" C\": [200", "/points/ C: ' C' is not a name; "},
       {"\"C\": [200", "\"d/dt C\": [200", "/points/d~1dt C: 'd/dt C' is not a name; "},
-      {"\"C\": [200", "\"C\u00a0\": [200", "/points/C\u00a0: 'C\u00a0' is not a name; "},
-      {"\"C\": [200", "\"-C\": [200", "/points/-C: '-C' is not a name; "},
       {"\"C\": [200", "\"\": [200", "/points/: '' is not a name; "},
-      {"\"C\": [200", "\"C*\": [200", "/points/C*: 'C*' is not a name; "},
       {"[2, 0]", "[0, 0]", "/vectors/x: a direction of length 0; "},
       {"[2, 0]", R"({"normal": ["x", "x"]})", "/vectors/x/normal: a normal needs three dim"},
       {"[2, 0]", R"({"along": ["A", "A"]})", "/vectors/x/along: names the point 'A' twice; "},
@@ -117,7 +113,6 @@ TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
       {"\"crank\": {", "\"A\": {", "/joints/0/bodies/1: unknown body 'crank'; "},
       {"\"s\": {", "\"A\": {", "/coordinates/A: coordinate 'A': the name is given twice among"},
       {"\"length\": 150", "\"length\": 0", "/bodies/rod: body 'rod': the length is not above 0; "},
-      {"\"length\": 150", "\"length\": -1", "/bodies/rod: body 'rod': the length is not above 0; "},
       {"\"C\": [200, 0]", "\"C\": [50, 0]", "/bodies/rod: body 'rod': its points 'B' and 'C' coin"},
       {R"({"points": ["C"], "vectors": ["x"]})",
        R"({"points": ["C"], "vectors": ["x"], "length": 1})",
@@ -204,7 +199,8 @@ TEST(MechanismFile, WhatIsWrongInSpaceIsNamedToo) {
       {R"(["v", "u"])", R"(["u", "u"])", "/vectors/w/normal: the two directions are parallel"},
       {R"(["v", "u"])", R"(["w", "u"])",
        "/vectors/w/normal: is defined by itself, a normal 'w' of 'w'; "},
-      {"\"u\": [0, 0, 1]", R"("u": {"normal": ["w", ["A", "B"]]})", "/vectors/"},
+      {"\"u\": [0, 0, 1]", R"("u": {"normal": ["w", ["A", "B"]]})",
+       "/vectors/w/normal: is defined by itself, a normal 'w' of 'v' of 'u' of 'w'; "},
       {"\"C\": [2, 1, 0]", "\"C\": [1, 0, 0]", "/vectors/r/along: the points 'B' and 'C' coincide"},
       {R"("vectors": ["r"])", "\"vectors\": []", "accepted"},
       {rod, R"("rod": {"at": [1, 0, 0, 0, 0], "points": {"B": [0, 0, 0], "C": [1, 0, 0]}})",
@@ -237,9 +233,6 @@ TEST(MechanismFile, WhatIsWrongInSpaceIsNamedToo) {
   for (const auto& [old, by, message] : changes)
     expect_start(mechanism_complaint(replaced(spatial, old, by)),
                  message == "accepted" ? message : "m.json: " + message);
-  EXPECT_CONTAINS(mechanism_complaint(replaced(spatial, "\"u\": [0, 0, 1]",
-                                               R"("u": {"normal": ["w", ["A", "B"]]})")),
-                  "is defined by itself");
 }
 
 }  // namespace

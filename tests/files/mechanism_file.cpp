@@ -91,14 +91,6 @@ TEST(MechanismFile, NormalsOfShortLinesHaveRemainders) {
   }
 }
 
-TEST(MechanismFile, JointsWithoutNamesAreToldApart) {
-  const std::string joint = R"({"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]})";
-  const Mechanism mechanism =
-      parse_mechanism(replaced(slider_crank, joint, joint + ", " + joint), "");
-  EXPECT_EQ(mechanism.joints[1].name, "revolute/crank/rod");
-  EXPECT_EQ(mechanism.joints[2].name, "revolute/crank/rod/2");
-}
-
 // Every normal but the last waits for the next: resolving must not recurse, nor take quadratic
 // time.
 TEST(MechanismFile, LongChainsOfDefinitionsAreResolved) {

@@ -37,13 +37,22 @@ DriverPath motions_of(const Model& model) {
   };
 }
 
+DriverPath straight_path(std::vector<Quadruple> from, std::vector<Quadruple> rate) {
+  return [from = std::move(from), rate = std::move(rate)](const Quadruple& s) {
+    std::vector<MotionSample<Quadruple>> z;
+    for (std::size_t k = 0; k < from.size(); ++k)
+      z.push_back({from[k] + s * rate[k], rate[k], Quadruple(0)});
+    return z;
+  };
+}
+
 Continuation::Continuation(const Model& m)
     : m_(m),
       magnitude_(nominal_magnitudes(m)),
       solver_(m),
       condition_number_(m),
-      last_(solver_.state()),
-      regular_{0, last_, {}, 0},
+      now_{0, solver_.state(), {}, 1},
+      regular_(now_),
       blocks_(make_partition(m, Partition::block)) {
   for (int i = 0; i < m.coordinates(); ++i)
     far_ = std::max(far_, std::abs(m.estimate[i]) / magnitude_[i]);
@@ -57,30 +66,29 @@ Continuation::Continuation(const Model& m)
 
 void Continuation::begin(DriverPath path, const Quadruple& parameter) {
   path_ = std::move(path);
-  parameter_ = parameter;
   step_ = Quadruple(1) / 64;
   solver_.drive(path_(parameter));
   solver_.correct_positions();
   solver_.solve_rates();
-  determinants_ = determinants();
-  slopes_.assign(determinants_.size(), 0);
-  last_ = solver_.state();
-  max_condition_ = condition_ = condition();
-  regular_ = {parameter_, last_, determinants_, condition_};
+  regular_ = now_ = {parameter, solver_.state(), determinants(), condition()};
+  slopes_.assign(blocks_.size(), 0);
+  max_condition_ = now_.condition;
 }
 
 bool Continuation::go_to(const Quadruple& target) {
-  for (int tries = 0; parameter_ != target; ++tries) {
-    const Quadruple left = target - parameter_;
+  for (int tries = 0; now_.parameter != target; ++tries) {
+    const Quadruple left = target - now_.parameter;
     Quadruple step = abs(left) <= step_ ? left : left > 0 ? step_ : -step_;
-    if (try_step(step == left ? target : parameter_ + step)) {
+    if (try_step(step == left ? target : now_.parameter + step)) {
       step_ = 2 * abs(step);
     } else {
-      solver_.restore(last_);
+      solver_.restore(now_.state);
       step_ = abs(step) / 2;
       if (step_ < min_step || tries > max_tries) {
         step_ = Quadruple(1) / 64;
-        return_to_regular();
+        now_ = regular_;
+        slopes_.assign(blocks_.size(), 0);
+        solver_.restore(now_.state);
         return false;
       }
     }
@@ -88,17 +96,8 @@ bool Continuation::go_to(const Quadruple& target) {
   return true;
 }
 
-void Continuation::return_to_regular() {
-  parameter_ = regular_.parameter;
-  last_ = regular_.state;
-  determinants_ = regular_.determinants;
-  slopes_.assign(determinants_.size(), 0);
-  condition_ = regular_.condition;
-  solver_.restore(last_);
-}
-
 bool Continuation::try_step(const Quadruple& next) {
-  const Quadruple step = next - parameter_;
+  const Quadruple step = next - now_.parameter;
   ScalarState<Quadruple> predicted = solver_.state();  // by Taylor polynomials of second degree
   for (int i = 0; i < m_.coordinates(); ++i)
     predicted.q[i] += step * (predicted.qd[i] + step / 2 * predicted.qdd[i]);
@@ -119,8 +118,8 @@ bool Continuation::try_step(const Quadruple& next) {
   Determinants now = determinants();
   bool crosses = false, regular = true;
   for (std::size_t k = 0; k < now.size(); ++k) {
-    crosses |= now[k].sign != determinants_[k].sign;
-    const double change = now[k].log - determinants_[k].log;
+    crosses |= now[k].sign != now_.determinants[k].sign;
+    const double change = now[k].log - now_.determinants[k].log;
     const double expected = slopes_[k] * static_cast<double>(step);
     regular &= std::abs(change) < std::log(5.0);
     regular &= !(expected < fall) || change < part_of_fall * expected;
@@ -128,17 +127,15 @@ bool Continuation::try_step(const Quadruple& next) {
   regular &= !crosses;
   if (!regular && abs(step) > crossing_step) return false;
   if (!is_continuous(step)) return false;
-  parameter_ = next;
   for (std::size_t k = 0; k < now.size(); ++k)
-    slopes_[k] = (now[k].log - determinants_[k].log) / static_cast<double>(step);
-  determinants_ = std::move(now);
-  last_ = solver_.state();
-  const double before = std::exchange(condition_, condition());
-  crosses |= before > passed && condition_ < before / 2;
-  if (crosses) crossed_at_ = parameter_;
+    slopes_[k] = (now[k].log - now_.determinants[k].log) / static_cast<double>(step);
+  const double before = now_.condition;
+  now_ = {next, solver_.state(), std::move(now), condition()};
+  crosses |= before > passed && now_.condition < before / 2;
+  if (crosses) crossed_at_ = next;
   crossings_ += crosses;
-  max_condition_ = std::max(max_condition_, crosses ? INFINITY : condition_);
-  if (condition_ < passed) regular_ = {parameter_, last_, determinants_, condition_};
+  max_condition_ = std::max(max_condition_, crosses ? INFINITY : now_.condition);
+  if (now_.condition < passed) regular_ = now_;
   return true;
 }
 
@@ -153,10 +150,10 @@ Continuation::Determinants Continuation::determinants() const {
 
 bool Continuation::is_continuous(const Quadruple& step) const {
   double moved = 0, off = 0;
-  const ScalarState<Quadruple>& now = solver_.state();
+  const ScalarState<Quadruple>&last = now_.state, &now = solver_.state();
   for (int i = 0; i < m_.coordinates(); ++i) {
-    const Quadruple change = now.q[i] - last_.q[i];
-    const Quadruple closure = change - step / 2 * (last_.qd[i] + now.qd[i]);
+    const Quadruple change = now.q[i] - last.q[i];
+    const Quadruple closure = change - step / 2 * (last.qd[i] + now.qd[i]);
     moved = std::max(moved, std::abs(static_cast<double>(change)) / magnitude_[i]);
     const double error = std::abs(static_cast<double>(closure)) / magnitude_[i];
     if (!(error <= off)) off = error;  // NaN stays
@@ -165,11 +162,11 @@ bool Continuation::is_continuous(const Quadruple& step) const {
 }
 
 double Continuation::rounding() const {
-  return std::clamp(far_ * rounding_correction * condition_, far_ * settled_correction, 1e-14);
+  return std::clamp(far_ * rounding_correction * now_.condition, far_ * settled_correction, 1e-14);
 }
 
 WideInstant Continuation::instant() const {
-  return {static_cast<double>(parameter_), solver_.q(), solver_.qd(), solver_.qdd()};
+  return {static_cast<double>(now_.parameter), solver_.q(), solver_.qd(), solver_.qdd()};
 }
 
 double Continuation::condition() { return condition_number_(doubles(solver_.q())); }

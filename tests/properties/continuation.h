@@ -21,6 +21,9 @@ using DriverPath = std::function<std::vector<MotionSample<Quadruple>>(const Quad
 /// Returns the motions of a model's drivers; the parameter is time [s].
 DriverPath motions_of(const Model& model);
 
+/// Returns the path of drivers that go straight: their values at a parameter s are from + s · rate.
+DriverPath straight_path(std::vector<Quadruple> from, std::vector<Quadruple> rate);
+
 /// Follows the smooth continuation of a position in quadruple precision. A step is accepted if
 /// - Newton's method contracts from the Taylor prediction at once,
 /// - the rates at both ends lead from one end to the other,
@@ -44,7 +47,7 @@ class Continuation {
   /// the last one whose rates have digits, from which the path may lead past a singular position.
   bool go_to(const Quadruple& parameter);
 
-  const Quadruple& parameter() const { return parameter_; }
+  const Quadruple& parameter() const { return now_.parameter; }
   /// Returns q, q̇ and q̈ at the present parameter.
   WideInstant instant() const;
   /// Return the condition number at the present position, and the largest since the last call.
@@ -57,7 +60,6 @@ class Continuation {
  private:
   using Determinants = std::vector<DenseLu<Quadruple>::Determinant>;
   Determinants determinants() const;
-  void return_to_regular();
   bool try_step(const Quadruple& next);
   double rounding() const;
   bool is_continuous(const Quadruple& step) const;
@@ -68,19 +70,18 @@ class Continuation {
   GlobalSolver<Quadruple> solver_;
   ConditionNumber condition_number_;
   DriverPath path_;
-  Quadruple parameter_ = 0, step_ = 0, crossed_at_ = 0;
+  Quadruple step_ = 0, crossed_at_ = 0;
   struct Place {
     Quadruple parameter;
     ScalarState<Quadruple> state;
-    Determinants determinants;
+    Determinants determinants;  // of the blocks
     double condition;
   };
-  ScalarState<Quadruple> last_;  // state of the last accepted step
-  Place regular_;                // the last place of a condition number below `passed`
+  Place now_;      // the end of the last accepted step
+  Place regular_;  // the last place of a condition number below `passed`
   std::vector<PartDefinition> blocks_;
-  Determinants determinants_;   // of the blocks, there
-  std::vector<double> slopes_;  // of their logarithms, in the last accepted step
-  double condition_ = 1, max_condition_ = 0;
+  std::vector<double> slopes_;  // of the determinants' logarithms, in the last accepted step
+  double max_condition_ = 0;
   int crossings_ = 0;
 };
 

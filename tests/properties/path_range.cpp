@@ -23,14 +23,8 @@ PathRange find_range(const Model& m, const Drawn& drawn) {
   PathRange range;
   for (const Driver& d : m.drivers)
     range.nominal.push_back(m.estimate[m.entities[d.coordinate].first]);
-  const auto straight = [&](const Quadruple& s) {
-    std::vector<MotionSample<Quadruple>> z;
-    for (std::size_t k = 0; k < range.nominal.size(); ++k) {
-      const Quadruple rate(drawn.direction[k]);
-      z.push_back({range.nominal[k] + s * rate, rate, Quadruple(0)});
-    }
-    return z;
-  };
+  const DriverPath straight = straight_path({range.nominal.begin(), range.nominal.end()},
+                                            {drawn.direction.begin(), drawn.direction.end()});
   for (const int side : {0, 1}) {
     Continuation c(m);
     c.begin(straight, 0);

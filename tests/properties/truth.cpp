@@ -26,18 +26,13 @@ bool reaches(Continuation& c, const Quadruple& parameter) {
 
 /// Goes from the drawing to the first instant, all drivers straight. Returns whether it could.
 bool reaches_start(Continuation& c, const Model& m, double time) {
-  Values from, to;
-  for (const Driver& d : m.drivers) from.push_back(m.estimate[m.entities[d.coordinate].first]);
-  for (const auto& z : motions_of(m)(time)) to.push_back(z.position);
-  if (from == to) return true;
-  c.begin(
-      [&](const Quadruple& s) {
-        std::vector<MotionSample<Quadruple>> z;
-        for (std::size_t k = 0; k < from.size(); ++k)
-          z.push_back({from[k] + s * (to[k] - from[k]), to[k] - from[k], Quadruple(0)});
-        return z;
-      },
-      0);
+  Values from, way;
+  for (const Driver& d : m.drivers) {
+    from.push_back(m.estimate[m.entities[d.coordinate].first]);
+    way.push_back(sample(d.motion, Quadruple(time)).position - from.back());
+  }
+  if (std::ranges::all_of(way, [](const Quadruple& x) { return x == 0; })) return true;
+  c.begin(straight_path(from, way), 0);
   return reaches(c, 1);
 }
 
