@@ -27,9 +27,14 @@ class MechanismError : public std::invalid_argument {
   int index_;
 };
 
-/// Throws MechanismError "joint 'J1': <what>" for an entry of the mechanism.
-[[noreturn]] void refuse(const Mechanism& mechanism, MechanismError::Part part, int index,
-                         const std::string& what);
+/// Function that throws MechanismError "joint 'J1': <what>" for an entry of a mechanism.
+struct EntryRefusal {
+  const Mechanism& mechanism;
+  MechanismError::Part part;
+  int index;
+
+  [[noreturn]] void operator()(const std::string& what) const;
+};
 
 /// Returns the sets of bodies that move as one, because fixed joints connect them.
 /// DisjointSets::find() of a body returns the least index in its set.

@@ -9,8 +9,6 @@
 namespace desmo {
 namespace {
 
-using Part = MechanismError::Part;
-
 /// Directions are at a right angle when |cosine of their angle| ≤ right_angle.
 constexpr double right_angle = 1e-6;
 
@@ -24,16 +22,16 @@ class CoordinateCheck {
  public:
   CoordinateCheck(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors,
                   int index)
-      : mechanism_(mechanism),
+      : refuse_{mechanism, MechanismError::Part::coordinate, index},
+        mechanism_(mechanism),
         points_(points),
         vectors_(vectors),
-        index_(index),
         c_(mechanism.coordinates[index]) {}
 
   void run() const {
     using enum Mechanism::CoordinateType;
     if (c_.estimate && !std::isfinite(*c_.estimate))
-      complain("the estimate is not finite; give a finite number");
+      refuse_("the estimate is not finite; give a finite number");
     switch (c_.type) {
       case angle:
         return check_angle();
@@ -45,24 +43,20 @@ class CoordinateCheck {
       case component:
         check_point(c_.point);
         if (c_.axis < 0 || c_.axis >= mechanism_.dimension)
-          complain("has an axis beyond the mechanism's dimension; choose one of its axes");
+          refuse_("has an axis beyond the mechanism's dimension; choose one of its axes");
         return;
     }
-    complain("has a type that does not exist");
+    refuse_("has a type that does not exist");
   }
 
  private:
-  [[noreturn]] void complain(const std::string& what) const {
-    refuse(mechanism_, Part::coordinate, index_, what);
-  }
-
   template <class Entity>
   void check_carried(int i, const std::vector<Entity>& entities, const Carriers& carriers,
                      const std::string& kind) const {
-    if (!is_in(i, entities)) complain("refers to a " + kind + " that does not exist");
+    if (!is_in(i, entities)) refuse_("refers to a " + kind + " that does not exist");
     if (!carriers.is_carried(i))
-      complain("the " + kind + " " + in_quotes(entities[i].name) +
-               " is carried by no body; list it in one");
+      refuse_("the " + kind + " " + in_quotes(entities[i].name) +
+              " is carried by no body; list it in one");
   }
 
   void check_point(int point) const { check_carried(point, mechanism_.points, points_, "point"); }
@@ -74,8 +68,8 @@ class CoordinateCheck {
     check_point(line.from);
     check_point(line.to);
     if (line.from == line.to)
-      complain("its two points are both " + in_quotes(mechanism_.points[line.from].name) +
-               "; name two different ones");
+      refuse_("its two points are both " + in_quotes(mechanism_.points[line.from].name) +
+              "; name two different ones");
   }
 
   Mechanism::Vec check_direction(const Mechanism::Direction& of) const {
@@ -87,14 +81,14 @@ class CoordinateCheck {
     const Mechanism::Point &from = mechanism_.points[of.from], &to = mechanism_.points[of.to];
     const auto unit = direction(from.position, to.position);
     if (!unit)
-      complain("the points " + in_quotes(from.name) + " and " + in_quotes(to.name) +
-               " coincide and have no direction; give them different positions");
+      refuse_("the points " + in_quotes(from.name) + " and " + in_quotes(to.name) +
+              " coincide and have no direction; give them different positions");
     return *unit;
   }
 
   void check_apart(const Mechanism::Direction& other) const {
     if (is_same_line(c_.of, other))
-      complain("is an angle between a direction and itself, which never changes; name two");
+      refuse_("is an angle between a direction and itself, which never changes; name two");
   }
 
   void check_angle() const {
@@ -103,21 +97,21 @@ class CoordinateCheck {
     check_apart(c_.towards);
     if (mechanism_.dimension == 2) {
       if (c_.towards.is_given())
-        complain("is towards a direction, which is for space only; leave that out");
+        refuse_("is towards a direction, which is for space only; leave that out");
       if (c_.from.is_given()) check_direction(c_.from);
       return;
     }
     if (!c_.from.is_given() || !c_.towards.is_given())
-      complain("an angle in space needs the directions where it is 0 and π/2; give both");
+      refuse_("an angle in space needs the directions where it is 0 and π/2; give both");
     if (c_.from.is_line() || c_.towards.is_line())
-      complain("the directions where it is 0 and π/2 must be vectors in space; declare vectors");
+      refuse_("the directions where it is 0 and π/2 must be vectors in space; declare vectors");
     const Mechanism::Vec u = check_direction(c_.from), v = check_direction(c_.towards);
     if (std::abs(cosine(c_.from.vector, c_.towards.vector)) > right_angle)
-      complain("the directions where it is 0 and π/2 are not at a right angle; choose another");
+      refuse_("the directions where it is 0 and π/2 are not at a right angle; choose another");
     if (std::hypot(dot(w, u), dot(w, v)) <= right_angle)
-      complain(text(c_.of) + " is perpendicular to the plane of " + text(c_.from) + " and " +
-               text(c_.towards) +
-               ", where its projection vanishes and has no angle; choose another direction");
+      refuse_(text(c_.of) + " is perpendicular to the plane of " + text(c_.from) + " and " +
+              text(c_.towards) +
+              ", where its projection vanishes and has no angle; choose another direction");
   }
 
   // Returns the cosine of the angle between two vectors. If a body with a frame of its own carries
@@ -135,9 +129,9 @@ class CoordinateCheck {
            in_quotes(mechanism_.points[of.to].name);
   }
 
+  const EntryRefusal refuse_;
   const Mechanism& mechanism_;
   const Carriers &points_, &vectors_;
-  int index_;
   const Mechanism::Coordinate& c_;
 };
 

@@ -37,11 +37,11 @@ void check(const Mechanism& mechanism, Part part, const Carriers& carriers,
   }
   for (int i = 1; i < static_cast<int>(pairs.size()); ++i) {
     if (pairs[i].entity != pairs[i - 1].entity || shared.find(i) == shared.find(i - 1)) continue;
-    refuse(mechanism, part, pairs[i].entity,
-           "is carried by " + in_quotes(mechanism.bodies[pairs[i - 1].body].name) + " and " +
-               in_quotes(mechanism.bodies[pairs[i].body].name) +
-               ", but no joints say that these share it; add a joint there, or give each body " +
-               (part == Part::point ? "a point" : "a vector") + " of its own");
+    EntryRefusal{mechanism, part, pairs[i].entity}(
+        "is carried by " + in_quotes(mechanism.bodies[pairs[i - 1].body].name) + " and " +
+        in_quotes(mechanism.bodies[pairs[i].body].name) +
+        ", but no joints say that these share it; add a joint there, or give each body " +
+        (part == Part::point ? "a point" : "a vector") + " of its own");
   }
 }
 
@@ -66,7 +66,7 @@ DisjointSets fixed_bodies(const Mechanism& mechanism) {
   return fixed;
 }
 
-void refuse(const Mechanism& mechanism, Part part, int index, const std::string& what) {
+void EntryRefusal::operator()(const std::string& what) const {
   // Words for the parts, in the order of Part.
   static constexpr const char* kinds[] = {"mechanism", "point",      "vector",  "body",
                                           "joint",     "coordinate", "coupling"};
@@ -83,11 +83,10 @@ void refuse(const Mechanism& mechanism, Part part, int index, const std::string&
 }
 
 void validate(const Mechanism& mechanism) {
+  const EntryRefusal refuse{mechanism, Part::mechanism, 0};
   if (mechanism.dimension != 2 && mechanism.dimension != 3)
-    refuse(mechanism, Part::mechanism, 0,
-           "the dimension is " + std::to_string(mechanism.dimension) + "; it must be 2 or 3");
-  if (mechanism.bodies.empty())
-    refuse(mechanism, Part::mechanism, 0, "has no bodies; the first body must be the ground");
+    refuse("the dimension is " + std::to_string(mechanism.dimension) + "; it must be 2 or 3");
+  if (mechanism.bodies.empty()) refuse("has no bodies; the first body must be the ground");
   check_names(mechanism);
   check_entities(mechanism);
   const Carriers points(mechanism, &Mechanism::Body::points),
