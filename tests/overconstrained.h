@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <tuple>
@@ -11,6 +10,7 @@
 
 #include "cases/extremes/rows.h"
 #include "cases/mechanism/directions.h"
+#include "cases/mechanism/formatted.h"
 #include "cases/mechanism/scene.h"
 #include "cases/numbers/space.h"
 
@@ -18,9 +18,7 @@ namespace desmo {
 
 /// Returns the double nearest to a number that is typed with so many digits.
 inline double typed(long double x, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*Le", digits - 1, x);
-  return std::strtod(text, nullptr);
+  return std::strtod(formatted("%.*Lg", digits, x).c_str(), nullptr);
 }
 
 /// Bennett's linkage, which moves only if its twists and lengths match, drawn with its crank at

@@ -40,8 +40,7 @@ class PlaneBuilder {
   }
 
   void point(const std::string& name, const Mechanism::Vec& at) {
-    points_[name] = b_.point(name, at);
-    at_[name] = at;
+    points_[name] = {b_.point(name, at), at};
   }
   void ground(const std::vector<std::string>& names) {
     for (const std::string& n : names) carry(MechanismBuilder::ground, n);
@@ -49,10 +48,10 @@ class PlaneBuilder {
   /// Adds a body "AB" with the points a and b, a link of constant length. Returns its position
   /// among the bodies. Without a length it has the nominal one.
   int link(const std::string& a, const std::string& b) {
-    return link(a, b, length_between(at_[a], at_[b]));
+    return link(a, b, length_between(points_[a].at, points_[b].at));
   }
   int link(const std::string& a, const std::string& b, double length) {
-    const int body = b_.link(a + b, points_[a], points_[b], length);
+    const int body = b_.link(a + b, index(a), index(b), length);
     pin(body, a);
     pin(body, b);
     return body;
@@ -65,14 +64,14 @@ class PlaneBuilder {
   }
   /// Fixes a point to a body.
   void carry(int body, const std::string& name) {
-    b_.carry(body, {points_[name]});
+    b_.carry(body, {index(name)});
     pin(body, name);
   }
   /// Lets a point of a body slide on a line of the ground: through the point `on`, along `vector`.
   /// The body turns freely about the point.
   void slide(const std::string& point, int body, const std::string& on, int vector) {
     b_.joint(Mechanism::JointType::revolute_on_slider, MechanismBuilder::ground, body,
-             {points_[on], points_[point]}, {vector});
+             {index(on), index(point)}, {vector});
   }
   /// Adds a direction of the ground. Returns its position among the vectors.
   int ground_vector(const std::string& name, const Mechanism::Vec& direction) {
@@ -83,7 +82,7 @@ class PlaneBuilder {
   /// Adds the angle of the line from a to b.
   Mechanism::Coordinate& angle(const std::string& name, const std::string& a,
                                const std::string& b) {
-    return b_.angle(name, {-1, points_[a], points_[b]});
+    return b_.angle(name, {-1, index(a), index(b)});
   }
   /// Drives the angle of the line from a to b.
   void drive_angle(const std::string& a, const std::string& b) {
@@ -91,29 +90,28 @@ class PlaneBuilder {
   }
   /// Drives the distance from a to b along a vector.
   void drive_along(const std::string& a, const std::string& b, int vector) {
-    b_.along("s", points_[a], points_[b], vector).driven = true;
+    b_.along("s", index(a), index(b), vector).driven = true;
   }
   /// Returns the position of a point in the mechanism.
-  int index(const std::string& name) { return points_[name]; }
+  int index(const std::string& name) { return points_[name].index; }
   MechanismBuilder& builder() { return b_; }
-  /// Returns the mechanism, its joints with distinct names; the builder is then empty.
-  Mechanism release() {
-    Mechanism m = b_.release();
-    for (std::size_t i = 0; i < m.joints.size(); ++i) m.joints[i].name += "/" + std::to_string(i);
-    return m;
-  }
+  /// Returns the mechanism; the builder is then empty.
+  Mechanism release() { return b_.release(); }
 
  private:
   void pin(int body, const std::string& name) {
-    const auto [it, is_new] = last_.try_emplace(name, body);
-    if (is_new) return;
-    b_.joint(Mechanism::JointType::revolute, it->second, body, {points_[name]});
-    it->second = body;
+    Point& point = points_[name];
+    const int before = std::exchange(point.last_body, body);
+    if (before >= 0) b_.joint(Mechanism::JointType::revolute, before, body, {point.index});
   }
 
+  struct Point {
+    int index;
+    Mechanism::Vec at;
+    int last_body = -1;  // the last body with the point so far; -1: none
+  };
   MechanismBuilder b_;
-  std::map<std::string, int> points_, last_;  // last body with the point
-  std::map<std::string, Mechanism::Vec> at_;
+  std::map<std::string, Point> points_;
 };
 
 }  // namespace desmo::properties

@@ -31,21 +31,20 @@ double size_of(const Mechanism& m) {
 
 }  // namespace
 
-double with_digits(double x, int digits) {
-  return std::strtod(formatted("%.*g", digits, x).c_str(), nullptr);
-}
-
 void round_numbers(Mechanism& m, int digits) {
+  const auto round = [&](double x) {
+    return std::strtod(formatted("%.*g", digits, x).c_str(), nullptr);
+  };
   for (Mechanism::Point& p : m.points) {
-    for (double& x : p.position) x = with_digits(x, digits);
+    for (double& x : p.position) x = round(x);
     p.remainder = {};
   }
   for (Mechanism::Vector& v : m.vectors)
-    for (double& x : v.direction) x = with_digits(x, digits);
+    for (double& x : v.direction) x = round(x);
   for (Mechanism::Body& b : m.bodies)
-    if (b.length) b.length = with_digits(b.length->value, digits);
+    if (b.length) b.length = round(b.length->value);
   for (Mechanism::Coordinate& c : m.coordinates)
-    if (c.estimate) c.estimate = with_digits(*c.estimate, digits);
+    if (c.estimate) c.estimate = round(*c.estimate);
 }
 
 Draft draw_rough(Random& r) {

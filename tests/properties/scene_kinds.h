@@ -64,9 +64,7 @@ Draft draft_of(Random& random, std::string_view family, const DrawnPath& path,
 /// Returns the draft of a random motion between singular positions.
 Draft draft_inside(Random& random, std::string_view family, const DrawnPath& path);
 
-/// Returns a number with so many digits.
-double with_digits(double x, int digits);
-/// Rounds all numbers of a mechanism.
+/// Rounds all numbers of a mechanism to so many digits.
 void round_numbers(Mechanism& mechanism, int digits);
 
 }  // namespace desmo::properties
