@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -37,7 +36,6 @@ enum ExitCode { done = 0, found = 10, leaked = 11 };
 struct Board {
   long input;
   std::array<long, outcome_names.size()> outcomes;
-  std::pair<double, long> slowest;  // CPU time [s], input
   char finding[4000];
 };
 
@@ -58,8 +56,6 @@ std::string text_of(std::FILE* file) {
   return text;
 }
 
-double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 // The signals end the process: where it loops, nothing in it can be relied on.
 void limit_time() {
   const itimerval cpu{{0, 0}, {cpu_limit, 0}};
@@ -77,14 +73,12 @@ using Try = std::function<TrialOutcome(long)>;
   for (long i = first; i < last; ++i) {
     board.input = i;
     limit_time();
-    const double start = cpu_now();
     try {
       ++board.outcomes[static_cast<std::size_t>(attempt_input(i))];
     } catch (const std::exception& finding) {
       std::snprintf(board.finding, sizeof board.finding, "%s", finding.what());
       ::_exit(found);
     }
-    board.slowest = std::max(board.slowest, {cpu_now() - start, i});
   }
 #if defined(__SANITIZE_ADDRESS__)
   if (__lsan_do_recoverable_leak_check() != 0) ::_exit(leaked);
@@ -145,7 +139,6 @@ Campaign try_all(long first, long last, const Try& attempt_input, bool progress)
     const auto [status, written] = run_child(next, end, attempt_input, board);
     for (std::size_t k = 0; k < outcome_names.size(); ++k)
       campaign.outcomes[k] += board.outcomes[k];
-    campaign.slowest = std::max(campaign.slowest, board.slowest);
     next = end;
     if (!WIFEXITED(status) || WEXITSTATUS(status) != done) {
       const auto [kind, detail] = finding_of(status, board, written);
@@ -212,8 +205,6 @@ std::string report(const Campaign& campaign) {
   std::string text;
   for (std::size_t k = 0; k < outcome_names.size(); ++k)
     text += formatted("%8ld %s\n", campaign.outcomes[k], outcome_names[k]);
-  text += formatted("slowest: %.2f s of CPU, input %ld\n", campaign.slowest.first,
-                    campaign.slowest.second);
   for (const auto& [kind, of_kind] : campaign.findings)
     text += formatted("FINDING, %zu times, first input %ld: %s\n  %s\n", of_kind.inputs.size(),
                       of_kind.inputs.front(), kind.c_str(), of_kind.detail.substr(0, 1500).c_str());

@@ -32,7 +32,6 @@ struct Campaign {
   };
   std::array<long, outcome_names.size()> outcomes{};  ///< number of inputs by TrialOutcome
   std::map<std::string, Kind> findings;               ///< by class
-  std::pair<double, long> slowest{};                  ///< largest CPU time [s], its input
 };
 
 /// Returns input i of a seed. It depends on seed and i alone.
