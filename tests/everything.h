@@ -28,7 +28,7 @@ class Everything : public Observer {
   }
 
   std::vector<std::vector<double>> all;  // by instant: q, q̇, q̈
-  std::vector<int> order;                // of delivery
+  std::vector<int> order;                // indices of the instants as they were delivered
 };
 
 /// Solves a motion, which succeeds, and returns all that is observed.

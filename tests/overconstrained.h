@@ -60,7 +60,8 @@ inline Scene bennett(long double start, int digits, long double size = 1,
 inline Scene parallel_cranks(long double start, int digits, bool stated, long double longer = 0,
                              long double size = 1, long double from_origin = 0) {
   using enum Mechanism::JointType;
-  constexpr long double length = 0.7L, along = 0.3L;  // of the crank; direction of the base [rad]
+  constexpr long double length = 0.7L,
+                        along = 0.3L;  // length of a crank; direction of the base [rad]
   MechanismBuilder builder("parallel_cranks", 2);
   const int coupler = builder.body("coupler", {});
   for (const auto& [number, pivot, more] :

@@ -14,7 +14,7 @@ namespace desmo {
 class JsonValue;
 
 /// A parsed JSON text. Values stand in one list in the order of the text, each before its contents.
-/// So building, searching and destroying need no recursion, and large documents little memory.
+/// Building, searching and destroying thus need no recursion, and large documents little memory.
 class JsonDocument {
  public:
   /// Parses a text; comments count as blanks (comments.h). Throws InputError unless it is JSON of

@@ -25,7 +25,7 @@ const JointForm& form_of(const Mechanism& mechanism, int i) {
 }
 
 // Checks one list of a joint, its points or its vectors. Both bodies must carry each common entity.
-// Of the own ones, the first body must carry the first, and the second body the second.
+// The first body must carry the first own entity, and the second body the second one.
 template <class Entry>
 void check_carried(const Mechanism& mechanism, int i, const JointForm& form,
                    const std::vector<int>& joined, int common, const std::vector<Entry>& entries,

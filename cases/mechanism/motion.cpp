@@ -35,7 +35,7 @@ std::vector<T> solve(const Tridiagonal<T>& matrix, std::vector<T> x) {
 }
 
 /// Solves the system of a tridiagonal matrix with `corner` added at its upper right and lower left.
-/// By the formula of Sherman and Morrison: this matrix is A + u vᵀ, where A is tridiagonal,
+/// Uses the formula of Sherman and Morrison: this matrix is A + u vᵀ, where A is tridiagonal,
 /// u = (γ, 0 … 0, corner) and v = (1, 0 … 0, corner/γ).
 template <class T>
 std::vector<T> solve_cyclic(Tridiagonal<T> matrix, const T& corner, std::vector<T> rhs) {

@@ -28,7 +28,7 @@ void check(const Mechanism& mechanism, Part part, const Carriers& carriers,
     }
   }
   // Fixed joints connect pairs of one entity whose bodies are in one set. Pairs ascend by entity.
-  // By set: index of its latest pair; -1: none so far.
+  // Index of the latest pair of each set; -1: none so far.
   std::vector<int> last(mechanism.bodies.size(), -1);
   for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
     int& previous = last[fixed.find(pairs[i].body)];

@@ -37,10 +37,10 @@ Derived sqrt(const Derived& a) {
 Derived atan2(const Derived& y, const Derived& x) {
   const double angle = std::atan2(y.value, x.value);
   const int exponent = std::ilogb(std::max(std::abs(y.value), std::abs(x.value)));
-  // So scaled, no square overflows or vanishes.
+  // Scaled in this way, no square overflows or vanishes.
   const Derived v = y.scaled(-exponent), u = x.scaled(-exponent);
-  // What `angle` lacks is the angle from its direction to (x, y), whose sine is `sine`. A small
-  // angle differs from its sine by less than |sine|³/5.
+  // The remainder of `angle` is the angle from its direction to (x, y), whose sine is `sine`. A
+  // small angle differs from its sine by less than |sine|³/5.
   const Derived at_sine = derived(sin(Number(angle))), at_cosine = derived(cos(Number(angle)));
   Derived sine = (v * at_cosine - u * at_sine) / sqrt(u * u + v * v);
   sine.radius += std::pow(std::abs(sine.value + sine.correction) + sine.radius, 3) / 5;

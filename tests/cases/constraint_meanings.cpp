@@ -1,4 +1,4 @@
-// What the constraint kinds mean, in configurations whose residual is known.
+// Meanings of the constraint kinds, in configurations whose residual is known.
 
 #include <array>
 #include <cmath>
@@ -59,7 +59,7 @@ TEST(Meaning, OfCombinations) {
 }
 
 TEST(Meaning, OfPlanarRelations) {
-  // By d = (3, 1), J d = (−1, 3): 2 d + J d = (5, 5).
+  // Let d = (3, 1). Then J d = (−1, 3), and 2 d + J d = (5, 5).
   // To the right of d instead of to the left, it is off by 2 J d.
   const Vec a{10, 20}, d{3, 1}, b{13, 21}, left{2, 1}, right_of_d{2, -1};
   for (const auto& [c, off] : {std::pair(left, Vec{0, 0}), {right_of_d, Vec{-2, 6}}}) {

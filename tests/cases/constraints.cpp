@@ -50,8 +50,8 @@ template <class Kind>
   return phi;
 }
 
-/// What a kind emits of Φ_q, in its order. One function for all kinds, called and not inlined: they
-/// emit a thousand entries, and each would be compiled with the checks of its own.
+/// Entries of Φ_q in the order in which a kind emits them. All kinds call one function, which is
+/// not inlined: they emit a thousand entries, and each would be compiled with checks of its own.
 class Emitted {
  public:
   [[gnu::noinline]] void operator()(int row, int operand, int component, Complex value) {

@@ -140,7 +140,7 @@ TEST(Spline, IsThePieceAfterAKnotFromTheKnotOn) {
   EXPECT_EQ(sample(s, 1.0).velocity, s.pieces()[1][1].value);
 }
 
-/// What make_spline says when it refuses.
+/// Returns the message with which make_spline() refuses a table; "accepted": it does not.
 std::string refusal(const std::vector<double>& t, const std::vector<double>& z, SplineEnds ends) {
   return desmo::refusal([&] { make_spline(t, z, ends); });
 }

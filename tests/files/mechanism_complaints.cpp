@@ -1,4 +1,4 @@
-// What is wrong with a mechanism file is refused, naming file, place and remedy.
+// Refusals of mechanism files, each with the file, the place, the fault and a remedy.
 
 #include <gtest/gtest.h>
 

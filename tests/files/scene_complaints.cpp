@@ -1,4 +1,4 @@
-// What is wrong with a scene file is refused, naming file, place and remedy.
+// Refusals of scene files, each with the file, the place, the fault and a remedy.
 
 #include <gtest/gtest.h>
 
@@ -135,7 +135,7 @@ TEST(SceneFile, MembersThatAreWrongAreNamed) {
                "s.json: /units/length: the mechanism's unit of length is '1', any one unit; ");
 }
 
-/// What is no object is refused with an example of one.
+/// A message about a value that is no object has an example of one.
 TEST(SceneFile, ShapesThatAreWrongAreShownRight) {
   const std::string good = scene_of(slider_crank, driven + R"(, "request": [{"points": ["C"]}])");
   const Change changes[] = {

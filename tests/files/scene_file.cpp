@@ -51,7 +51,7 @@ TEST(SceneFile, HasTheMechanismsUnitsWhereItSaysNone) {
   const std::string no_units =
       replaced(slider_crank, R"("units": {"length": "mm", "angle": "deg"},)", "");
   EXPECT_EQ(turn(parse_scene(scene_of(no_units, driven), "", "")).coefficients[1].value, 360);
-  // Of one unit that is said, the other is the mechanism's.
+  // A scene that names one unit has the mechanism's for the other.
   const std::string both = replaced(slider_crank, "[\"theta\"]", "[\"s\", \"theta\"]");
   const Scene s = parse_scene(scene_of(both, R"("units": {"angle": "rad"}, "motion": {
       "s": {"type": "constant", "value": 200}, "theta": {"type": "constant", "value": 1}})" +
@@ -187,7 +187,7 @@ TEST(SceneFile, RequestsAreExpandedAndHaveNothingTwice) {
             (Names{"s 0", "C 0", "x 0", "theta 0"}));
   EXPECT_EQ(requested(R"([{"everything": true, "level": "velocity"}])"),
             (Names{"A 1", "B 1", "C 1", "x 1", "theta 1", "s 1"}));
-  // What is defined in place may be measured by another definition, and asked for again.
+  // A definition may measure what another one defines, and its name may be asked for again.
   EXPECT_EQ(requested(R"([{"angles": {"mu": {"angle": ["A", "CG"]}}, "level": "velocity"},
                           {"points": {"CG": {"body": "crank", "at": [20, 5]}}},
                           {"points": ["C*"], "rotations": ["r*"], "level": "acceleration"},

@@ -1,4 +1,4 @@
-// What is changed in the text of a scene, and what stays.
+// Changes of a scene's text, which leave the rest of it as it is.
 
 #include "cases/io/scene_text.h"
 

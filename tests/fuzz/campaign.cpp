@@ -32,7 +32,7 @@ constexpr long inputs_a_child = 500;             // leaks are looked for after a
 constexpr int saved_of_a_kind = 3;
 enum ExitCode { done = 0, found = 10, leaked = 11 };
 
-/// What a child tells its parent, even when it dies.
+/// Memory in which a child tells its parent how far it got, even when it dies.
 struct Board {
   long input;
   std::array<long, outcome_names.size()> outcomes;

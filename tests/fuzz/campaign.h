@@ -28,7 +28,7 @@ struct Options {
 struct Campaign {
   struct Kind {
     std::vector<long> inputs;  ///< in order
-    std::string detail;        ///< of the first one's finding
+    std::string detail;        ///< text of the finding of the first one
   };
   std::array<long, outcome_names.size()> outcomes{};  ///< number of inputs by TrialOutcome
   std::map<std::string, Kind> findings;               ///< by class

@@ -39,7 +39,7 @@ Span any_span(std::string_view text, Random& random) {
   std::size_t begin = random.below(text.size() + 1),
               size = random.below(random.one_in(8) ? 200 : 5);
   if (random.one_in(4)) {
-    begin = text.rfind('\n', begin) + 1;  // of none it is the first
+    begin = text.rfind('\n', begin) + 1;  // the first line where there is no '\n'
     size = text.find('\n', begin) - begin + 1;
   }
   return {begin, std::min(size, text.size() - begin)};

@@ -34,7 +34,7 @@ std::string kind_of(const std::string& message) {
   return kind.substr(0, 120);
 }
 
-/// What a terminal may be sent: one line of UTF-8 that is not endless.
+/// Checks that a message is fit for a terminal: one line of UTF-8 that is not endless.
 void check_message(const std::string& message, const std::string& stage) {
   constexpr std::size_t max_message = 1000;
   if (message.empty()) throw Finding(stage + ": an empty message", "");
@@ -91,7 +91,7 @@ bool agree(const Json& a, const Json& b) {
                            : a == b;
 }
 
-/// What is written of a mechanism is the same mechanism.
+/// Checks that a mechanism that is written, and read again, is the same.
 void check_writer(const Mechanism& mechanism) {
   constexpr std::size_t largest = 200;  // points of a mechanism that is worth the time
   if (mechanism.points.size() > largest) return;

@@ -11,9 +11,9 @@ namespace desmo::properties {
 
 namespace {
 
-constexpr double max_first_correction = 0.01;  // of a step, over nominal magnitudes
-constexpr double solved = 1e-28;               // correction, likewise, that only rounding leaves
-constexpr double min_step = 1e-6;              // of λ
+constexpr double max_first_correction = 0.01;  // first correction of a step, over magnitudes, <
+constexpr double solved = 1e-28;               // correction that only rounding leaves, likewise, <
+constexpr double min_step = 1e-6;              // step of λ, >
 
 /// Returns the largest of Newton's corrections over nominal magnitudes; infinite: the matrix is
 /// singular.

@@ -34,7 +34,7 @@ DriverPath straight_path(std::vector<Quadruple> from, std::vector<Quadruple> rat
 class Continuation {
  public:
   static constexpr double crossing_step = 1e-12, min_step = 1e-24;
-  static constexpr int max_tries = 1000;  // of one call of go_to()
+  static constexpr int max_tries = 1000;  // steps tried by one call of go_to(), ≤
 
   /// Assembles at the model's estimate, drivers included. Throws std::runtime_error when Newton's
   /// method does not converge there.
@@ -80,7 +80,7 @@ class Continuation {
   Place now_;      // the end of the last accepted step
   Place regular_;  // the last place of a condition number below `passed`
   std::vector<PartDefinition> blocks_;
-  std::vector<double> slopes_;  // of the determinants' logarithms, in the last accepted step
+  std::vector<double> slopes_;  // slopes of the determinants' logarithms in the last accepted step
   double max_condition_ = 0;
   int crossings_ = 0;
 };

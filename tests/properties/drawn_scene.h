@@ -20,8 +20,8 @@ struct DrawnScene {
   Scene scene = {};       ///< read from the text
   CheckMode mode = CheckMode::proof;
   Model whole = {};
-  Plan plan = {};    ///< what is solved
-  Truth truth = {};  ///< of the plan's model
+  Plan plan = {};    ///< coordinates and levels that are solved
+  Truth truth = {};  ///< right answers of the plan's model
 };
 
 /// Draws a scene. The same seed and number give the same scene. Throws std::runtime_error where no

@@ -76,7 +76,8 @@ class Comparison {
 
   const DrawnScene& s_;
   std::vector<EntityId> entity_;
-  std::vector<std::pair<bool, Level>> asked_;  // of each coordinate: whether, and up to where
+  std::vector<std::pair<bool, Level>>
+      asked_;  // is each coordinate requested, and up to which level
   std::optional<Finding> worst_;
   double ratio_ = 0;
 };

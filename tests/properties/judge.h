@@ -24,7 +24,7 @@ struct Finding {
 struct Judgement {
   std::optional<Finding> wrong{};  ///< the worst number that breaks the promise
   long rows = 0;                   ///< instants of the grid
-  long regular = 0;                ///< those to which a well-conditioned way leads
+  long regular = 0;                ///< instants to which a well-conditioned way leads
   /// Flags and missing rows by their words, of all instants and of regular ones.
   std::map<std::string, long> flags{}, regular_flags{};
   std::optional<RowFlag> first_regular_flag{};  ///< the first of these

@@ -12,7 +12,7 @@ namespace desmo::properties {
 /// A mechanism with random dimensions.
 struct Drawn {
   Mechanism mechanism;
-  std::vector<double> direction = {};  ///< of each driver for a unit of the path
+  std::vector<double> direction = {};  ///< change of each driver for a unit of the path
   double reach = 3;                    ///< longest path, both ways
   bool exact = false;                  ///< its singular positions are exact in double precision
 };
@@ -26,7 +26,7 @@ struct Family {
 // Families of about unit size, with random dimensions.
 std::span<const Family> plane_families();
 std::span<const Family> spatial_families();
-std::span<const Family> coupled_families();  ///< of the plane
+std::span<const Family> coupled_families();  ///< mechanisms of the plane
 
 /// Overconstrained ones, of which the first contradicts itself by a relative 1e-16 to 1e-5.
 std::span<const Family> overconstrained_families();

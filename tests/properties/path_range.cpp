@@ -6,7 +6,7 @@ namespace desmo::properties {
 
 namespace {
 
-constexpr int pieces = 16;  // of the reach, after each of which crossings are looked for
+constexpr int pieces = 16;  // parts of the reach; crossings are looked for after each
 
 PathRange::End find_end(Continuation& c, double reach) {
   for (int i = 1; i <= pieces; ++i) {

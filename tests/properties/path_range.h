@@ -14,7 +14,7 @@ struct PathRange {
     double at;      ///< path parameter, with the sign of the side
     bool singular;  ///< a singular position; otherwise nothing is in the way up to there
   };
-  std::vector<double> nominal;  ///< of the drivers
+  std::vector<double> nominal;  ///< values of the drivers where it begins
   std::array<End, 2> ends;      ///< backwards, forwards
 };
 

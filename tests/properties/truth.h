@@ -26,9 +26,9 @@ struct Truth {
   std::vector<bool> regular;
   /// (instants) Whether all mechanisms that round to the file go the same way to here.
   std::vector<bool> decided;
-  Scales scales;          ///< of the answers
+  Scales scales;          ///< scales of the answers
   double far = 1;         ///< largest coordinate over the mechanism's size, at least 1
-  double size_ratio = 1;  ///< of the largest coordinate or length to the least length, at least 1
+  double size_ratio = 1;  ///< largest coordinate or length over the least length, at least 1
 };
 
 /// κ below which every instant is to be proven.
