@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "cases/extremes/rows.h"
 #include "cases/mechanism/directions.h"
