@@ -1,7 +1,6 @@
 // A four-bar whose crank cannot make a full turn, its dead point, and the other branch of a dyad.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -2,12 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "cases/extremes/rows.h"
 #include "cases/mechanism/directions.h"
@@ -47,12 +45,8 @@ inline Scene bennett(long double start, int digits, long double size = 1,
   }
   const int from = builder.vector("x", {1, 0, 0}), towards = builder.vector("y", {0, 1, 0});
   extremes::hinge_loop(builder, "link", p, v, from, towards);
-  return {"bennett",
-          builder.release(),
-          {Polynomial{{static_cast<double>(start), 1}}},
-          {0, 0.05, 21},
-          {},
-          {}};
+  const Motion crank = Polynomial{{static_cast<double>(start), 1}};
+  return {"bennett", builder.release(), {crank}, {0, 0.05, 21}};
 }
 
 /// Three parallel cranks of 0.7 carry a coupler, where two would do. The third one is longer by
@@ -83,12 +77,8 @@ inline Scene parallel_cranks(long double start, int digits, bool stated, long do
     builder.joint(revolute, crank, coupler, {b});
     if (number == 1) builder.angle("theta", {-1, a, b}).driven = true;
   }
-  return {"parallel_cranks",
-          builder.release(),
-          {Polynomial{{static_cast<double>(start), 1}}},
-          {0, 0.05, 21},
-          {},
-          {}};
+  const Motion crank = Polynomial{{static_cast<double>(start), 1}};
+  return {"parallel_cranks", builder.release(), {crank}, {0, 0.05, 21}};
 }
 
 }  // namespace desmo

@@ -4,7 +4,6 @@
 
 #include "bench/peers/peer.h"
 #include "cases/mechanism/names.h"
-#include "formulations/modelling/modelling.h"
 
 namespace desmo {
 

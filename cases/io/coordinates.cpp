@@ -83,8 +83,7 @@ Coordinate read_coordinate(const JsonValue& value, int dimension, const DisplayU
   if (distance) read_distance(value, names, c);
   if (component) read_component(value, dimension, names, c);
   if (const auto estimate = value.find("estimate"))
-    c.estimate =
-        estimate->number() * (c.type == Type::angle ? units.angle.in_si : units.length.in_si);
+    c.estimate = estimate->number() * units.of(c.is_angle()).in_si;
   return c;
 }
 

@@ -9,14 +9,12 @@ namespace {
 using Coordinate = Mechanism::Coordinate;
 using Coupling = Mechanism::Coupling;
 
-bool is_angle(const Coordinate& c) { return c.type == Mechanism::CoordinateType::angle; }
-
 /// Converts the factors of a sum from coordinates in the file's units to those in SI units, up to a
 /// common factor. They change only where the sum mixes lengths and angles.
 void convert(Coupling& coupling, const std::vector<Coordinate>& coordinates,
              const DisplayUnits& units) {
   const auto turns = [&](const Coupling::Term& term) {
-    return is_angle(coordinates[term.coordinate]);
+    return coordinates[term.coordinate].is_angle();
   };
   const auto angles = std::ranges::count_if(coupling.terms, turns);
   if (angles == 0 || angles == std::ssize(coupling.terms)) return;

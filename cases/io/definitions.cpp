@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <functional>
 #include <set>
 #include <utility>
@@ -98,10 +97,9 @@ class Definitions {
 
   Mechanism::Coordinate read(const JsonValue& value, std::string_view key) const {
     Mechanism::Coordinate c = read_coordinate(value, mechanism_.dimension, units_, names_);
-    const bool is_angle = c.type == Mechanism::CoordinateType::angle;
-    if (is_angle != (key == "angles"))
-      value.complain(is_angle ? "is an angle; define it under \"angles\""
-                              : "is no angle; define it under \"distances\"");
+    if (c.is_angle() != (key == "angles"))
+      value.complain(c.is_angle() ? "is an angle; define it under \"angles\""
+                                  : "is no angle; define it under \"distances\"");
     return c;
   }
 

@@ -23,8 +23,10 @@ const DisplayUnit& read_unit(const JsonValue& value, std::span<const DisplayUnit
 
 }  // namespace
 
-std::span<const DisplayUnit> known_length_units() { return length_units; }
-std::span<const DisplayUnit> known_angle_units() { return angle_units; }
+std::span<const DisplayUnit> known_units(bool is_angle) {
+  if (is_angle) return angle_units;
+  return length_units;
+}
 
 Derived exact_size(const DisplayUnit& unit) {
   if (unit.name.starts_with("deg")) return Derived::pi() / 180;
@@ -73,7 +75,7 @@ FileUnits read_units(const JsonValue& root, FileUnits units) {
 DisplayUnit read_rate_unit(const JsonValue& value, bool is_of_angle, std::string_view base) {
   std::vector<DisplayUnit> rates;
   if (is_of_angle) rates.push_back({"rpm", std::numbers::pi / 30});
-  for (const DisplayUnit& unit : is_of_angle ? known_angle_units() : known_length_units())
+  for (const DisplayUnit& unit : known_units(is_of_angle))
     if (is_of_angle || (unit.name == "1") == (base == "1"))
       rates.push_back({unit.name + "/s", unit.in_si});
   return read_unit(value, rates);

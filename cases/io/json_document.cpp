@@ -6,7 +6,7 @@
 #include <set>
 
 #include "cases/io/comments.h"
-#include "cases/io/files.h"
+#include "cases/io/input_error.h"
 #include "cases/io/text_file.h"
 #include "cases/mechanism/names.h"
 

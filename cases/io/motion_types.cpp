@@ -25,7 +25,7 @@ Derived read_exactly(const JsonValue& value, const DisplayUnit& unit) {
 /// Returns the unit of lengths or angles. Throws InputError where the file leaves it open; value:
 /// the number, or the motion, that needs it.
 const DisplayUnit& unit_of(const JsonValue& value, bool is_angle, const FileUnits& units) {
-  const DisplayUnit& unit = is_angle ? units.angle : units.length;
+  const DisplayUnit& unit = units.of(is_angle);
   if (!(is_angle ? units.angle_is_open : units.length_is_open)) return unit;
   const std::string kind = is_angle ? "angle" : "length";
   value.complain("the mechanism has its " + kind + "s in '" + unit.name +
@@ -40,7 +40,7 @@ struct MotionReader {
   const Mechanism::Coordinate& coordinate;
   const FileUnits& units;
   NamedFiles& files;
-  bool is_angle = coordinate.type == Mechanism::CoordinateType::angle;
+  bool is_angle = coordinate.is_angle();
   const DisplayUnit& unit = unit_of(value, is_angle, units);
 
   Motion read() const {

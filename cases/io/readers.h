@@ -35,9 +35,8 @@ struct FileUnits : DisplayUnits {
   bool length_is_open = false, angle_is_open = false;
 };
 
-/// Return the units of lengths, or of angles, that files may name.
-std::span<const DisplayUnit> known_length_units();
-std::span<const DisplayUnit> known_angle_units();
+/// Returns the units of angles, or of lengths, that files may name.
+std::span<const DisplayUnit> known_units(bool is_angle);
 
 /// Returns the size of a unit in SI units: with its remainder where π is in it; for others the
 /// double DisplayUnit::in_si counts as exact.

@@ -27,9 +27,7 @@ void fill(RequestKey& names, const std::vector<Entry>& list, const auto& can_be_
 Requestable::Requestable(const Mechanism& mechanism) : mechanism_(mechanism) {
   const Carriers of_points(mechanism_, &Mechanism::Body::points),
       of_vectors(mechanism_, &Mechanism::Body::vectors);
-  const auto is_angle = [&](int c) {
-    return mechanism_.coordinates[c].type == Mechanism::CoordinateType::angle;
-  };
+  const auto is_angle = [&](int c) { return mechanism_.coordinates[c].is_angle(); };
   const auto any = [](int) { return true; };
   fill(points, mechanism_.points, [&](int p) { return of_points.is_carried(p); });
   fill(vectors, mechanism_.vectors, [&](int v) { return of_vectors.is_carried(v); });

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <optional>
 
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
@@ -15,13 +14,6 @@ constexpr int max_units = 100'000;    // number of a generator's units that a fi
 constexpr double max_instants = 1e9;  // number of instants, ≤
 
 constexpr int latest_version = 2;  // latest version of scene files
-
-// The mechanism of a scene. Those of the library and of generators come with motions, one for each
-// driven coordinate, and with instants; others have neither.
-struct Start : ReadMechanism {
-  std::vector<Motion> motions{};
-  std::optional<TimeGrid> grid{};
-};
 
 TimeGrid read_time(const JsonValue& value) {
   value.require_object(R"({"end": 1, "step": 0.01})");
@@ -52,7 +44,17 @@ TimeGrid read_time(const JsonValue& value) {
   return grid;
 }
 
-Start from_library(const JsonValue& value) {
+// The functions below read the mechanism of a scene, with its units. Mechanisms of the library and
+// of generators come with motions, one for each driven coordinate, and with instants; others have
+// neither.
+
+ReadScene without_motion(ReadMechanism read) {
+  Scene scene;
+  scene.mechanism = std::move(read.mechanism);
+  return {std::move(scene), std::move(read.units)};
+}
+
+ReadScene from_library(const JsonValue& value) {
   value.allow({"library"});
   const LibraryMechanism& found =
       library()[value["library"].choose("library mechanism", names_of(library()))];
@@ -60,44 +62,44 @@ Start from_library(const JsonValue& value) {
   const JsonDocument mechanism(found.mechanism, file_name + ".json"),
       scene(found.scene, file_name + ".scene.json");
   NamedFiles none;
-  Start start{mechanism_from(mechanism.root(), none)};
-  start.motions = read_motions(scene.root(), start.mechanism,
-                               read_units(scene.root(), {start.units}), none, {});
-  start.grid = read_time(scene.root()["time"]);
+  ReadScene start = without_motion(mechanism_from(mechanism.root(), none));
+  start.scene.motions = read_motions(scene.root(), start.scene.mechanism,
+                                     read_units(scene.root(), {start.units}), none, {});
+  start.scene.grid = read_time(scene.root()["time"]);
   return start;
 }
 
-Start from_generator(const JsonValue& value) {
+ReadScene from_generator(const JsonValue& value) {
   const Case& c = cases()[value["generator"].choose("generator", names_of(cases()))];
   value.allow({"generator", c.unit_name});
   const JsonValue count = value[c.unit_name];
   try {
     Scene scene = c.with_units(count.whole_number(1, max_units));
     DisplayUnits units{.length = {scene.mechanism.length_unit}};
-    return {{std::move(scene.mechanism), std::move(units)}, std::move(scene.motions), scene.grid};
+    return {std::move(scene), std::move(units)};
   } catch (const std::invalid_argument& error) {
     count.complain(std::string(error.what()) + "; choose another number");
   }
 }
 
-ReadMechanism from_file(const JsonValue& value, NamedFiles& files) {
+ReadScene from_file(const JsonValue& value, NamedFiles& files) {
   const auto [name, text] = files.read_named(value, "mechanism");
   const JsonDocument document(text, name);
   NamedFiles own{std::filesystem::path(name).parent_path()};
-  ReadMechanism read = mechanism_from(document.root(), own);
+  ReadScene start = without_motion(mechanism_from(document.root(), own));
   files.read.insert(files.read.end(), own.read.begin(), own.read.end());
-  return read;
+  return start;
 }
 
-Start read_start(const JsonValue& value, NamedFiles& files) {
-  if (value.is_string()) return {from_file(value, files)};
+ReadScene read_start(const JsonValue& value, NamedFiles& files) {
+  if (value.is_string()) return from_file(value, files);
   if (!value.is_object())
     value.complain(
         "is no mechanism; give a file name, a mechanism, {\"library\": name} or "
         "{\"generator\": name}");
   if (value.find("library")) return from_library(value);
   if (value.find("generator")) return from_generator(value);
-  return {mechanism_from(value, files)};
+  return without_motion(mechanism_from(value, files));
 }
 
 // Returns the units of a scene's motions. Refuses a length in metres where the mechanism has a free
@@ -139,15 +141,12 @@ ReadScene scene_from(const JsonValue& root, const std::filesystem::path& folder)
   root.allow({"$schema", "format", "version", "name", "mechanism", "units", "motion", "time",
               "request", "formulation", "tolerance"});
   NamedFiles files{folder};
-  Start start = read_start(root["mechanism"], files);
-  Scene scene;
-  scene.mechanism = std::move(start.mechanism);
+  auto [scene, units_of_mechanism, none] = read_start(root["mechanism"], files);
   const auto name = root.find("name");
   scene.name = name ? std::string(name->line()) : scene.mechanism.name;
-  FileUnits units = units_of_motion(root, version, start.units);
-  scene.motions = read_motions(root, scene.mechanism, units, files, std::move(start.motions));
-  const auto time = root.find("time");
-  scene.grid = time || !start.grid ? read_time(root["time"]) : *start.grid;
+  FileUnits units = units_of_motion(root, version, units_of_mechanism);
+  scene.motions = read_motions(root, scene.mechanism, units, files, std::move(scene.motions));
+  if (scene.grid.instants == 0 || root.find("time")) scene.grid = read_time(root["time"]);
   check_tables(root, scene.mechanism, scene.motions, scene.grid);
   read_request(root, units, scene);
   if (const auto id = root.find("formulation")) scene.formulation = read_formulation(*id);

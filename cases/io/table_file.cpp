@@ -140,9 +140,8 @@ void read_lists(const JsonValue& table, TableColumn& arguments, TableColumn& val
 
 TableColumn column_of(std::string_view key, const Mechanism::Coordinate& coordinate,
                       const DisplayUnits& units) {
-  const bool is_angle = coordinate.type == Mechanism::CoordinateType::angle;
-  return {key, coordinate.name, is_angle ? units.angle : units.length,
-          is_angle ? known_angle_units() : known_length_units()};
+  const bool is_angle = coordinate.is_angle();
+  return {key, coordinate.name, units.of(is_angle), known_units(is_angle)};
 }
 
 void read_table(const JsonValue& value, NamedFiles& files,

@@ -11,10 +11,7 @@
 namespace desmo {
 namespace {
 
-constexpr const char* too_large = "the file is larger than 64 MiB; divide it";
-
-// Refuses what is no regular file, since a device or a pipe could have no end, and a file that is
-// too large.
+// Refuses what is no regular file, since a device or a pipe could have no end.
 void check_regular(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -27,7 +24,6 @@ void check_regular(const std::filesystem::path& file) {
     throw UnreadableFile("cannot be read (" + error.message() + "); check its name");
   if (status.type() != fs::file_type::regular)
     throw UnreadableFile("is not a regular file; save its contents in one");
-  if (fs::file_size(file, error) > max_file && !error) throw UnreadableFile(too_large);
 }
 
 }  // namespace
@@ -43,7 +39,7 @@ std::string read_text(const std::filesystem::path& file) {
   std::array<char, 1 << 16> buffer;
   while (stream.read(buffer.data(), buffer.size()), stream.gcount() > 0) {
     text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > max_file) throw UnreadableFile(too_large);  // it may have grown
+    if (text.size() > max_file) throw UnreadableFile("the file is larger than 64 MiB; divide it");
   }
   if (stream.bad()) throw UnreadableFile("cannot be read to its end; check the disk");
   return text;

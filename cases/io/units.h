@@ -23,6 +23,7 @@ struct DisplayUnits {
   DisplayUnit length{"m", 1};  ///< {"1", 1}: a free unit
   DisplayUnit angle{"rad", 1};
 
+  const DisplayUnit& of(bool is_angle) const { return is_angle ? angle : length; }
   /// Returns the unit in which lengths are computed: "m", or "1" for the free unit.
   std::string_view base_length() const { return length.name == "1" ? "1" : "m"; }
   /// Returns the units in which lengths and angles are computed.

@@ -128,6 +128,8 @@ struct Mechanism {
     int axis = 0;           ///< component: 0, 1, 2 for x, y, z
     std::optional<double> estimate;  ///< initial estimate; none: its value in the nominal position
     bool driven = false;             ///< a motion is prescribed (Scene::motions)
+
+    bool is_angle() const { return type == CoordinateType::angle; }
   };
 
   /// A relation between coordinates. Angles count with their whole turns [rad].

@@ -31,7 +31,7 @@ void expect_residual(const std::array<Vec, Kind::operand_sizes.size()>& q, Vec c
 const double pi = std::numbers::pi;
 const double right = pi / 2;
 
-TEST(Meaning, OfThePlanarInstances) {
+TEST(Meaning, OfPlainKinds) {
   expect_residual<Unit<2>>({{{0.6, -0.8}}}, {}, {0});
   expect_residual<Unit<2>>({{{3, 4}}}, {}, {24});
   expect_residual<Rigid<2, 0>>({{{1, 2}, {1, 2}}}, {}, {0, 0});
@@ -40,13 +40,20 @@ TEST(Meaning, OfThePlanarInstances) {
   expect_residual<Rigid<2, 1>>({{{7, 2}, {1, 2}, {3, 1}}}, {1}, {3, -1});
   expect_residual<Along<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {5}}}, {}, {0, 0});
   expect_residual<Along<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {10}}}, {}, {-3, -4});
-}
-
-TEST(Meaning, OfComponents) {
   expect_residual<Component<2, 0>>({{{3, 4}, {3}}}, {}, {0});
   expect_residual<Component<2, 1>>({{{3, 4}, {3}}}, {}, {1});
   expect_residual<Component<3, 0>>({{{3, 4, 5}, {3}}}, {}, {0});
   expect_residual<Component<3, 1>>({{{3, 4, 5}, {3}}}, {}, {1});
+  expect_residual<Distance<2>>({{{1, 1}, {4, 5}, {5}}}, {}, {0});
+  expect_residual<Distance<2>>({{{1, 1}, {4, 5}, {4}}}, {}, {9});
+  expect_residual<Distance<3>>({{{1, 1, 1}, {2, 3, 3}, {3}}}, {}, {0});
+  expect_residual<Distance<3>>({{{1, 1, 1}, {2, 3, 3}, {1}}}, {}, {8});
+  expect_residual<PlanarDirection>({{{0, 1}, {right}}}, {}, {0, 0});
+  expect_residual<PlanarDirection>({{{-1, 0}, {pi}}}, {}, {0, 0});
+  expect_residual<PlanarDirection>({{{0, 1}, {-right}}}, {}, {0, 2});
+  expect_residual<Reach<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {5}}}, {}, {0});
+  expect_residual<Reach<2>>({{{1, 2}, {4, 6}, {-0.6, -0.8}, {5}}}, {}, {-10});
+  expect_residual<Reach<3>>({{{1, 2, 3}, {1, 2, 7}, {0, 0, 1}, {3}}}, {}, {1});
 }
 
 TEST(Meaning, OfCombinations) {
@@ -81,19 +88,6 @@ TEST(Meaning, OfAnOffsetIsTheDistanceToTheLeftOfTheLine) {
   expect_residual<Offset>({{u, o, {1 + 3 + 1.6, 1 + 4 - 1.2}}}, {2}, {-4});  // to the right
 }
 
-TEST(Meaning, OfADistance) {
-  expect_residual<Distance<2>>({{{1, 1}, {4, 5}, {5}}}, {}, {0});
-  expect_residual<Distance<2>>({{{1, 1}, {4, 5}, {4}}}, {}, {9});
-  expect_residual<Distance<3>>({{{1, 1, 1}, {2, 3, 3}, {3}}}, {}, {0});
-  expect_residual<Distance<3>>({{{1, 1, 1}, {2, 3, 3}, {1}}}, {}, {8});
-}
-
-TEST(Meaning, OfAPlanarDirection) {
-  expect_residual<PlanarDirection>({{{0, 1}, {right}}}, {}, {0, 0});
-  expect_residual<PlanarDirection>({{{-1, 0}, {pi}}}, {}, {0, 0});
-  expect_residual<PlanarDirection>({{{0, 1}, {-right}}}, {}, {0, 2});
-}
-
 TEST(Meaning, OfAPlanarTurnIsTheAngleCounterClockwise) {
   // e = (2, 1) turned by π/2 and stretched by 3 is d = (−3, 6).
   // The other way round it would be −d.
@@ -105,12 +99,6 @@ TEST(Meaning, OfAPlanarTurnIsTheAngleCounterClockwise) {
     expect_residual<PlanarTurn<Between::line_and_line>>({{a, b, p, q, turn}}, {3}, off);
     expect_residual<PlanarTurn<Between::lines_at_point>>({{p, {2, 11}, q, turn}}, {3}, off);
   }
-}
-
-TEST(Meaning, OfAReach) {
-  expect_residual<Reach<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {5}}}, {}, {0});
-  expect_residual<Reach<2>>({{{1, 2}, {4, 6}, {-0.6, -0.8}, {5}}}, {}, {-10});
-  expect_residual<Reach<3>>({{{1, 2, 3}, {1, 2, 7}, {0, 0, 1}, {3}}}, {}, {1});
 }
 
 /// The derivative of Φ by an angle, the last operand of its kind: negative where it is the one

@@ -31,9 +31,6 @@ TEST(Polynomial, IsItsClosedForm) {
     const double z = 3 - 2 * t + 0.5 * t * t + 0.25 * t * t * t;
     expect_near(sample(m, t), {z, -2 + t + 0.75 * t * t, 1 + 1.5 * t}, {1e-13, 1e-13, 1e-13}, t);
   }
-}
-
-TEST(Polynomial, OfEveryLowDegree) {
   expect_near(sample(Polynomial{}, 2.0), {0, 0, 0}, {}, 2);
   expect_near(sample(Polynomial{{5}}, 2.0), {5, 0, 0}, {}, 2);
   expect_near(sample(Polynomial{{5, 3}}, 2.0), {11, 3, 0}, {}, 2);
@@ -66,19 +63,13 @@ MotionSample<double> at_knot(const Spline& s, std::size_t knot, int side) {
   return sample_polynomial(s.pieces()[piece], s.knots()[knot] - s.knots()[piece]);
 }
 
-TEST(Spline, Interpolates) {
+TEST(Spline, InterpolatesAndIsTwiceContinuouslyDifferentiable) {
   for (const SplineEnds ends : every_end) {
     const Spline s = make_spline(times, values, ends);
     EXPECT_EQ(s.first_time(), times.front());
     EXPECT_EQ(s.last_time(), times.back());
     for (std::size_t i = 0; i < times.size(); ++i)
       EXPECT_NEAR(sample(s, times[i]).position, values[i], 1e-14);
-  }
-}
-
-TEST(Spline, IsTwiceContinuouslyDifferentiable) {
-  for (const SplineEnds ends : every_end) {
-    const Spline s = make_spline(times, values, ends);
     for (std::size_t i = 1; i + 1 < times.size(); ++i)
       expect_near(at_knot(s, i, -1), at_knot(s, i, +1), {1e-14, 1e-13, 1e-12}, times[i]);
   }

@@ -87,12 +87,9 @@ inline std::string drawn(const std::string& driver) {
          driver + "\"]}";
 }
 
-inline std::string scene_with(const std::string& members) {
-  return "{\"format\": \"desmo-scene\", \"version\": 2, " + members + "}";
-}
-
 inline std::string scene_of(const std::string& mechanism, const std::string& members) {
-  return scene_with("\"mechanism\": " + mechanism + (members.empty() ? "" : ", ") + members);
+  return R"({"format": "desmo-scene", "version": 2, "mechanism": )" + mechanism +
+         (members.empty() ? "" : ", ") + members + "}";
 }
 
 inline const std::string motion =

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <ctime>
 
-#include "cases/library/library.h"
 #include "cases/mechanism/mechanism.h"
 #include "tests/files/common.h"
 

@@ -54,7 +54,7 @@ Draft draft_of(Random& r, std::string_view family, const DrawnPath& path,
   std::size_t k = 0;
   for (const Mechanism::Coordinate& c : d.mechanism.coordinates) {
     if (!c.driven) continue;
-    const bool turns = d.degrees && c.type == Mechanism::CoordinateType::angle;
+    const bool turns = d.degrees && c.is_angle();
     d.motions.push_back(
         motion_text(profile, base[k], path.drawn.direction[k], turns ? 180 / std::numbers::pi : 1));
     ++k;
@@ -106,8 +106,7 @@ Draft draw_requested(Random& r) {
   for (const Mechanism::Point& p : d.mechanism.points)
     if (r.chance(0.2)) add("points", p.name);
   for (const Mechanism::Coordinate& c : d.mechanism.coordinates)
-    if (r.chance(0.3))
-      add(c.type == Mechanism::CoordinateType::angle ? "angles" : "distances", c.name);
+    if (r.chance(0.3)) add(c.is_angle() ? "angles" : "distances", c.name);
   if (request.empty()) add("points", d.mechanism.points.back().name);
   d.request = request.dump();
   if (r.chance(0.3)) d.mode = CheckMode::mechanism;
@@ -118,10 +117,9 @@ namespace {
 
 Draft draft_far(Random& r, const Family& family) {
   const DrawnPath path = path_of(draw(family, r));
-  const bool turns =
-      std::ranges::none_of(path.drawn.mechanism.coordinates, [](const Mechanism::Coordinate& c) {
-        return c.driven && c.type != Mechanism::CoordinateType::angle;
-      });
+  const bool turns = std::ranges::none_of(
+      path.drawn.mechanism.coordinates,
+      [](const Mechanism::Coordinate& c) { return c.driven && !c.is_angle(); });
   const double far = turns ? 4 * std::numbers::pi : path.drawn.reach;
   const double from = r.uniform(-far, far), to = from + r.uniform(-0.4, 0.4);
   const Profile profile = straight_motion(r, 12 + r.below(12), from, to);

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "cases/mechanism/scene.h"
 #include "formulations/model/plan.h"

@@ -3,7 +3,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "tests/checked/rows.h"
 #include "tests/properties/drawn_scene.h"

@@ -11,7 +11,6 @@ namespace desmo::properties {
 namespace {
 
 using Vec = Mechanism::Vec;
-using Type = Mechanism::CoordinateType;
 
 constexpr std::array library_names{"slider_crank",
                                    "inverted_slider_crank",
@@ -45,7 +44,7 @@ Drawn of_library(const Family& family, Random& random) {
   bool several = false;
   for (const Mechanism::Coordinate& c : d.mechanism.coordinates) {
     if (!c.driven) continue;
-    const double unit = c.type == Type::angle ? 1 : 0.2 * (high - low);
+    const double unit = c.is_angle() ? 1 : 0.2 * (high - low);
     d.direction.push_back(several ? unit * random.uniform(-1, 1) : unit);
     several = true;
   }
@@ -93,7 +92,7 @@ Placement draw_placement(const Drawn& d, Random& random) {
     }
   const bool turns = !d.exact && random.chance(0.5) &&
                      std::ranges::none_of(m.coordinates, [](const Mechanism::Coordinate& c) {
-                       return c.type == Type::component;
+                       return c.type == Mechanism::CoordinateType::component;
                      });
   if (turns) turn(p, 0, 1, random.uniform(-3, 3));
   if (turns && m.dimension == 3) turn(p, 1, 2, random.uniform(-3, 3));
@@ -109,11 +108,11 @@ void place(Drawn& d, const Placement& p) {
     if (body.length) body.length = body.length->value * p.size;
   for (Mechanism::Coupling& coupling : m.couplings)
     for (Mechanism::Coupling::Term& term : coupling.terms)
-      if (m.coordinates[term.coordinate].type != Type::angle) term.factor = term.factor / p.size;
+      if (!m.coordinates[term.coordinate].is_angle()) term.factor = term.factor / p.size;
   std::size_t driver = 0;
   for (Mechanism::Coordinate& c : m.coordinates) {
-    if (c.type != Type::angle && c.estimate) *c.estimate *= p.size;
-    if (c.driven) d.direction[driver++] *= c.type == Type::angle ? 1 : p.size;
+    if (!c.is_angle() && c.estimate) *c.estimate *= p.size;
+    if (c.driven) d.direction[driver++] *= c.is_angle() ? 1 : p.size;
   }
 }
 

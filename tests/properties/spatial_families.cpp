@@ -1,6 +1,5 @@
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "cases/extremes/rows.h"
 #include "cases/mechanism/builder.h"
