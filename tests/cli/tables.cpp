@@ -29,15 +29,6 @@ TEST_F(Cli, TellsContradictionsBetweenRows) {
   EXPECT_EQ(desmo("solve scene.json --strict"), 1);
 }
 
-TEST_F(Cli, TellsThatAMotionLocksAtTheExtremumOfATable) {
-  const std::vector<double> at{-20, 0, 20, 40, 60, 80}, lift{-5, 0, 15, 20, 15, 0};
-  write("scene.json",
-        Wheel{.couplings = coupling_table("cam", at, lift), .driver = "w", .speed = 50}.text());
-  EXPECT_EQ(desmo("solve scene.json"), 1);
-  EXPECT_FALSE(says("outside")) << err_;
-  EXPECT_FALSE(says("nan")) << err_;
-}
-
 /// A step of 80,000 turns.
 TEST_F(Cli, TellsThatTestsEnded) {
   const std::vector<double> at{-20, 0, 100, 200, 300, 330}, lift{0, 0, 15, 20, 15, 0};

@@ -26,15 +26,6 @@ TEST_F(View, SaysWhatThereIs) {
   EXPECT_EQ(groups, (std::vector<std::string>{"SG-I", "dyad1/SG-I", "dyad2/SG-I"}));
 }
 
-TEST_F(View, PlotsWhatTheSceneRequests) {
-  write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1},
-    "request": [{"points": ["C"], "level": "velocity"}])"));
-  const Json data = viewed("scene.json");
-  std::vector<std::string> plotted;
-  for (const int column : data["plotted"]) plotted.push_back(data["columns"][column]["name"]);
-  EXPECT_EQ(plotted, (std::vector<std::string>{"C.x", "C.y", "d/dt C.x", "d/dt C.y"}));
-}
-
 TEST_F(View, PlotsMeasuresByTheNamesOfTheirColumns) {
   write("rest.json", R"({"format": "desmo-scene", "version": 2,
     "mechanism": {"library": "slider_crank"}, "time": {"end": 1, "step": 0.1},
