@@ -1,4 +1,4 @@
-// What desmo solve says of couplings by tables.
+// Notes of desmo solve on couplings by tables.
 
 #include <vector>
 

@@ -61,7 +61,7 @@ TEST_F(View, ShowsHowFarAMechanismGetsThatLocks) {
   expect_said(1, "view scene.json -o out/page.html", "group 'SG-II' (rod, slider)",
               "the page shows the last position");
   const Json data = data_of(text_of(out("page.html")));
-  // What is beyond an interval that cannot be assembled is on an unknown branch.
+  // Rows beyond an interval that cannot be assembled are on an unknown branch.
   std::vector<std::string> kinds;
   for (const Json& f : data["flags"]) kinds.push_back(f["kind"]);
   EXPECT_EQ(kinds, (std::vector<std::string>{"failed", "branch", "failed", "branch"}));

@@ -47,7 +47,7 @@ Values mimic_gripper(double t) {
   return v;
 }
 
-/// What is geared to an angle that nothing drives starts three turns from the drawing, too.
+/// A drum that is geared to an undriven angle starts three turns from the drawing, too.
 Values wound_drum(double t) {
   const Jet theta = degrees(t, 1140, 300, 0), rel = theta - Jet(pi / 2);
   const Jet drum = Jet(pi / 2) - Jet(10.0L / 30) * theta;
