@@ -119,15 +119,13 @@ void require_agreement(const Model& m, const PerLevel<double>& floor) {
 }
 
 std::string missing_code(const Formulation& f) {
-  int missing = 0;
-  std::string first;
-  for (const auto& part : parts_of(f)) {
-    if (part.as_named) continue;
-    if (missing++ == 0) first = f.model().groups[part.definition.groups.front()].name;
-  }
-  if (missing == 0) return {};
+  const std::vector<DefinedPart>& parts = parts_of(f);
+  const auto first = std::ranges::find(parts, false, &DefinedPart::as_named);
+  if (first == parts.end()) return {};
+  const auto missing = std::ranges::count(parts, false, &DefinedPart::as_named);
   return "no generated code for " + std::to_string(missing) + " of " +
-         std::to_string(parts_of(f).size()) + " parts, first of group '" + first + "'";
+         std::to_string(parts.size()) + " parts, first of group '" +
+         f.model().groups[first->definition.groups.front()].name + "'";
 }
 
 std::vector<double> spread_times(const TimeGrid& grid, int count) {

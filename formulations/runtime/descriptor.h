@@ -18,15 +18,14 @@ class Descriptor {
     std::swap(number_, other.number_);
     return *this;
   }
-  ~Descriptor() { close(); }
+  ~Descriptor() {
+    if (is_open()) ::close(number_);
+  }
 
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
   /// Returns the number, which the caller owns from now on.
   int release() { return std::exchange(number_, -1); }
-  void close() {
-    if (is_open()) ::close(release());
-  }
 
  private:
   int number_;

@@ -124,7 +124,7 @@ ProgramEnd run_program(const std::vector<std::string>& arguments, int folder,
   Pipe pipe;
   const Clock::time_point end = Clock::now() + time;
   const pid_t child = start(arguments, folder, pipe.write_end.number());
-  pipe.write_end.close();
+  pipe.write_end = Descriptor();
 
   ProgramEnd ending;
   int status = 0;

@@ -1,4 +1,4 @@
-// What desmo solve flags, in every form of output, however quiet.
+// Flags of desmo solve, in every form of output, however quiet.
 
 #include <regex>
 

@@ -175,8 +175,7 @@ TEST_F(Cli, NotesWhatADrawingMayNotHaveMeant) {
 
 TEST_F(Cli, NamesIdleFreedoms) {
   expect_printed("inspect rssr", "coupler: free to spin about the line of 'A' and 'B'");
-  ASSERT_EQ(desmo("inspect rssr --json"), 0);
-  EXPECT_EQ(Json::parse(out_)["idle_freedoms"],
+  EXPECT_EQ(json_of("inspect rssr --json")["idle_freedoms"],
             Json::parse(R"([{"body": "coupler", "about": "the line of 'A' and 'B'"}])"));
   ASSERT_EQ(desmo("inspect slider_crank"), 0);
   EXPECT_FALSE(prints("Idle freedoms")) << out_;

@@ -113,7 +113,7 @@ TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
   }
 }
 
-/// Of positions beyond the start nothing is said.
+/// The note says nothing of positions beyond the start.
 TEST_F(Cli, RangesSayWhichEquationsDoNotHoldAtTheStart) {
   write("flap.json", flaps(1, 4e-7));
   desmo("range flap.json");

@@ -1,4 +1,4 @@
-// What desmo solve says of couplings by tables.
+// Notes of desmo solve on couplings by tables.
 
 #include <vector>
 
@@ -27,15 +27,6 @@ TEST_F(Cli, TellsContradictionsBetweenRows) {
               "e+00 deg\n");
   expect_said(0, "solve scene.json --units si", " rad; the motion is", "e-02 rad\n");
   EXPECT_EQ(desmo("solve scene.json --strict"), 1);
-}
-
-TEST_F(Cli, TellsThatAMotionLocksAtTheExtremumOfATable) {
-  const std::vector<double> at{-20, 0, 20, 40, 60, 80}, lift{-5, 0, 15, 20, 15, 0};
-  write("scene.json",
-        Wheel{.couplings = coupling_table("cam", at, lift), .driver = "w", .speed = 50}.text());
-  EXPECT_EQ(desmo("solve scene.json"), 1);
-  EXPECT_FALSE(says("outside")) << err_;
-  EXPECT_FALSE(says("nan")) << err_;
 }
 
 /// A step of 80,000 turns.

@@ -52,7 +52,7 @@ class ViewInBrowser : public View {
     return Json::parse(out_);
   }
 
-  /// Whether Chromium and what steers it are there; the reason in out_ when not.
+  /// Returns whether Chromium and what steers it are there. If not, out_ has the reason.
   bool has_browser() {
     if (shell("command -v chromium || { echo Chromium is not installed; false; }") != 0)
       return false;

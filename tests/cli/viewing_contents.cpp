@@ -26,15 +26,6 @@ TEST_F(View, SaysWhatThereIs) {
   EXPECT_EQ(groups, (std::vector<std::string>{"SG-I", "dyad1/SG-I", "dyad2/SG-I"}));
 }
 
-TEST_F(View, PlotsWhatTheSceneRequests) {
-  write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1},
-    "request": [{"points": ["C"], "level": "velocity"}])"));
-  const Json data = viewed("scene.json");
-  std::vector<std::string> plotted;
-  for (const int column : data["plotted"]) plotted.push_back(data["columns"][column]["name"]);
-  EXPECT_EQ(plotted, (std::vector<std::string>{"C.x", "C.y", "d/dt C.x", "d/dt C.y"}));
-}
-
 TEST_F(View, PlotsMeasuresByTheNamesOfTheirColumns) {
   write("rest.json", R"({"format": "desmo-scene", "version": 2,
     "mechanism": {"library": "slider_crank"}, "time": {"end": 1, "step": 0.1},
@@ -70,7 +61,7 @@ TEST_F(View, ShowsHowFarAMechanismGetsThatLocks) {
   expect_said(1, "view scene.json -o out/page.html", "group 'SG-II' (rod, slider)",
               "the page shows the last position");
   const Json data = data_of(text_of(out("page.html")));
-  // What is beyond an interval that cannot be assembled is on an unknown branch.
+  // Rows beyond an interval that cannot be assembled are on an unknown branch.
   std::vector<std::string> kinds;
   for (const Json& f : data["flags"]) kinds.push_back(f["kind"]);
   EXPECT_EQ(kinds, (std::vector<std::string>{"failed", "branch", "failed", "branch"}));

@@ -83,8 +83,8 @@ TEST_F(View, DrawsTheDrivenAngleOfAVectorThatNoJointHas) {
         "O\n");
 }
 
-/// Where a joint has its rail follows from its form: on the first body if that alone has the axis,
-/// nowhere if points keep in a plane.
+/// A joint has its rail on the first body if that alone has the axis, and none if points keep in a
+/// plane.
 TEST_F(View, DrawsRailsByTheFormsOfJoints) {
   const std::string rails =
       "const rails = draw(data).filter(({layer, at}) => layer === layers.rails && at.length < 2);\n"

@@ -11,11 +11,7 @@
 namespace desmo::load::cache_test {
 namespace {
 
-struct CacheTest : Loading {
-  void overwrite(const fs::path& file, const std::string& text) {
-    std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
-  }
-};
+using CacheTest = Loading;
 
 TEST_F(CacheTest, KeepsWhatIsWritten) {
   const Cache cache = Cache::open();
@@ -33,7 +29,7 @@ TEST_F(CacheTest, DoesNotBelieveWhatIsNotAsItWasWritten) {
   const fs::path file = cache.folder() / "a.so";
   const auto refused = [&](const std::string& spoilt) {
     cache.write("a.so", "content");
-    overwrite(file, spoilt);
+    write(file, spoilt);
     return !cache.read("a.so");
   };
   cache.write("a.so", "content");
@@ -68,14 +64,14 @@ TEST_F(CacheTest, DoesNotBelieveWhatIsNotAsItWasWritten) {
 TEST_F(CacheTest, LeavesNothingOfWhatWasNotFinished) {
   const Cache cache = Cache::open();
   const auto fail = [&](const std::string& name) {
-    overwrite(cache.folder() / name, "half");
+    write(cache.folder() / name, "half");
     throw std::runtime_error("no more");
   };
   EXPECT_THROW(cache.content_made_by(fail), std::runtime_error);
   EXPECT_TRUE(cached("").empty());
   EXPECT_THROW(cache.content_made_by([](const std::string&) {}), std::runtime_error);
   EXPECT_EQ(cache.content_made_by(
-                [&](const std::string& name) { overwrite(cache.folder() / name, "whole"); }),
+                [&](const std::string& name) { write(cache.folder() / name, "whole"); }),
             "whole");
   EXPECT_TRUE(cached("").empty());
 }
@@ -83,13 +79,13 @@ TEST_F(CacheTest, LeavesNothingOfWhatWasNotFinished) {
 TEST_F(CacheTest, ForgetsTheOldestAndWhatWasAbandoned) {
   const Cache cache = Cache::open();
   const auto now = fs::file_time_type::clock::now();
-  overwrite(cache.folder() / "unfinished.1.2", "");
-  overwrite(cache.folder() / "unfinished.3.4", "");
-  overwrite(cache.folder() / "of the user", "");
+  write(cache.folder() / "unfinished.1.2", "");
+  write(cache.folder() / "unfinished.3.4", "");
+  write(cache.folder() / "of the user", "");
   fs::last_write_time(cache.folder() / "unfinished.1.2", now - std::chrono::hours(2));
   for (int i = 0; i < 300; ++i) {
     const fs::path file = cache.folder() / (std::to_string(i) + ".so");
-    overwrite(file, "");
+    write(file, "");
     fs::last_write_time(file, now - std::chrono::minutes(i + 1));
   }
   cache.write("new.so", "");
@@ -106,7 +102,7 @@ TEST_F(CacheTest, IsMendedWhereCompiledCodeIsSpoilt) {
   load();
   const fs::path library = cached(".so").at(0);
   const std::string good = text_of(library);
-  overwrite(library, good.substr(0, good.size() / 2));
+  write(library, good.substr(0, good.size() / 2));
   EXPECT_EQ(load().problem, "");
   EXPECT_EQ(compilations(), 2);
   EXPECT_FALSE(load().compiled);

@@ -70,15 +70,11 @@ TEST_F(Folders, AreMadeForTheUserAlone) {
     EXPECT_EQ(file.status().permissions(), fs::perms::owner_read | fs::perms::owner_write) << file;
 }
 
-TEST_F(Folders, ThatOthersCanReadAreRefused) {
+TEST_F(Folders, ThatOthersCanReadOrWriteToAreRefused) {
   fs::create_directories(cache());
-  fs::permissions(folder_ / "desmo", fs::perms::owner_all);
   fs::permissions(cache(), fs::perms::owner_all | fs::perms::group_read);
+  fs::permissions(folder_ / "desmo", fs::perms::owner_all);
   expect_problem(cache().string() + ": is open to others (chmod 700)");
-}
-
-TEST_F(Folders, AroundItThatOthersCanWriteToAreRefused) {
-  fs::create_directory(folder_ / "desmo");
   fs::permissions(folder_ / "desmo", fs::perms::all);
   expect_problem((folder_ / "desmo").string() + ": can be written to by others");
 }

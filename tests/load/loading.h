@@ -28,7 +28,7 @@ class Loading : public InFolder {
  protected:
   Loading() {
     ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
-    use_compiler("echo compiled >>'" + file("count") + "'\nexec " DESMO_COMPILER " \"$@\"");
+    use_counted_compiler();
   }
   ~Loading() override {
     ::unsetenv("CXX");
@@ -42,6 +42,9 @@ class Loading : public InFolder {
                         commands + "\n");
     fs::permissions(compiler, fs::perms::owner_all);
     ::setenv("CXX", compiler.c_str(), 1);
+  }
+  void use_counted_compiler() {
+    use_compiler("echo compiled >>'" + file("count") + "'\nexec " DESMO_COMPILER " \"$@\"");
   }
   int compilations() const {
     return static_cast<int>(std::ranges::count(text_of(file("count")), '\n'));

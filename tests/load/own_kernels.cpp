@@ -100,8 +100,7 @@ TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {
 
 TEST_F(OwnKernelsTest, FollowTheCompilerAndWhatIsAskedOfThem) {
   load();
-  use_compiler("echo compiled >>'" + (folder_ / "count").string() +
-               "'\nexec " DESMO_COMPILER " \"$@\"");
+  use_counted_compiler();
   EXPECT_FALSE(load().compiled);
   EXPECT_EQ(compilations(), 1) << "the same file of the same version";
   fs::rename(folder_ / "compiler", folder_ / "other");
