@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "formulations/model/scales.h"
 
@@ -13,11 +14,7 @@ bool joins_points(const Model& m, const Constraint& c) {
 }
 
 CharacteristicLengths::CharacteristicLengths(const Model& m)
-    : CharacteristicLengths(m, m.estimate) {}
-
-CharacteristicLengths::CharacteristicLengths(const Model& m, std::span<const double> q)
     : m_(m),
-      q_(q.begin(), q.end()),
       size_(nominal_size(m)),
       about_(m.entities.size()),
       of_group_(m.groups.size()),
@@ -43,7 +40,7 @@ double CharacteristicLengths::extent(const Constraint& c) const {
     if (length > largest && std::isfinite(length)) largest = length;
   };
   const auto position = [&](EntityId e) {
-    return (m_.entities[e].fixed ? m_.fixed_values.data() : q_.data()) + m_.entities[e].first;
+    return (m_.entities[e].fixed ? m_.fixed_values : m_.estimate).data() + m_.entities[e].first;
   };
   for (auto at = c.operands.begin(); at != c.operands.end(); ++at) {
     const EntityId a = *at;

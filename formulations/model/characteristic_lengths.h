@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "formulations/model/model.h"
@@ -17,10 +16,9 @@ bool joins_points(const Model& model, const Constraint& constraint);
 /// large one.
 class CharacteristicLengths {
  public:
-  /// Takes the lengths at the nominal position (the model's initial estimate).
+  /// Takes the lengths at the nominal position (the model's initial estimate). Stores a reference:
+  /// the model must outlive the lengths.
   explicit CharacteristicLengths(const Model& model);
-  /// Takes the lengths at a solved position q (coordinates), for estimates that are far off.
-  CharacteristicLengths(const Model& model, std::span<const double> q);
 
   /// Returns the length of a point or a distance. It is the largest distance between two points of
   /// a constraint on the entity, or the largest distance coordinate of such a constraint. Where a
@@ -48,7 +46,6 @@ class CharacteristicLengths {
   double or_wider(double length, GroupId group) const;
 
   const Model& m_;
-  const std::vector<double> q_;           // position at which lengths are taken
   const double size_;                     // nominal_size() of the model
   std::vector<double> about_, of_group_;  // largest length on each entity, in each group; 0: none
   std::vector<double> shortest_;          // smallest positive length on each entity; 0: none

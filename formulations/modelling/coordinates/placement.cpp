@@ -70,21 +70,20 @@ template <class InBasis>
 int finder(const RigidBodies& rigid, const Structure& structure, const std::vector<int>& carriers,
            int first_need, InBasis&& in_basis) {
   if (carriers.empty() || carriers.front() == 0) return -1;
+  int first = never;
   // Groups of the carriers whose basis contains it, and groups of all other carriers.
   std::vector<int> building, following;
-  for (const int r : carriers)
-    (in_basis(rigid.list[r].basis) ? building : following).push_back(structure.of_body[r]);
-  std::ranges::sort(building);
-  std::ranges::sort(following);
-  if (building.empty()) return following.front();
-  if (following.empty() || building.front() <= following.front()) return building.front();
-  // A body of an earlier group carries it, too. It can wait for the later group with a basis that
-  // contains it. That group must be the only one, and nothing may need it before.
-  const bool one_builds = building.front() == building.back();
-  const bool needed_before =
-      first_need < building.front() ||
-      std::ranges::upper_bound(following, building.front()) - following.begin() > 1;
-  return one_builds && !needed_before ? building.front() : following.front();
+  for (const int r : carriers) {
+    const int group = structure.of_body[r];
+    first = std::min(first, group);
+    (in_basis(rigid.list[r].basis) ? building : following).push_back(group);
+  }
+  if (building.empty()) return first;
+  // It can wait for the one group with a basis that contains it, if nothing needs it before and at
+  // most one body follows from it until then.
+  const int next = std::ranges::min(building), last = std::ranges::max(building);
+  const auto followers = std::ranges::count_if(following, [&](int g) { return g <= next; });
+  return next == last && first_need >= next && followers <= 1 ? next : first;
 }
 
 }  // namespace

@@ -54,13 +54,6 @@ bool make_scalar(Constraint& constraint) {
 
 }  // namespace
 
-RowSelector::RowSelector(Model& candidates, const SampledPositions& positions,
-                         Linearisers& linearisers)
-    : m_(candidates), positions_(positions), linearisers_(linearisers), moves_(m_.state_size()) {
-  for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
-    std::fill_n(moves_.begin() + m_.state_index(e), m_.entities[e].size, !m_.is_at_rest(e));
-}
-
 void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {
   for (;;) {
     const auto first = m_.constraints.begin() + s.first_constraint,
@@ -85,22 +78,21 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
   selected.jacobians = sample_jacobians(s, positions_, linearisers_);
   const std::vector<int> order = preference(s);
   int best_rank = -1;
-  const auto take_rows = [&](const Eigen::MatrixXd& jacobian, const std::vector<bool>& among,
-                             const VectorXd& uncertain) {
+  // uncertain: of each row; empty: 0
+  const auto take = [&](const Eigen::MatrixXd& jacobian, const std::vector<bool>& among,
+                        const VectorXd& uncertain = {}) {
     std::vector<bool> taken(s.rows.size(), false);
     RowSpace space(s, s.unknowns);
     for (const int i : order)
       if (among[i])
-        taken[i] = space.add(jacobian.row(i).head(s.unknowns).transpose(), uncertain[i]);
+        taken[i] = space.add(jacobian.row(i).head(s.unknowns).transpose(),
+                             uncertain.size() > 0 ? uncertain[i] : 0);
     return std::pair(space.rank(), std::move(taken));
   };
-  const VectorXd certain = VectorXd::Zero(static_cast<Eigen::Index>(s.rows.size()));
-  const auto take = [&](int p, const std::vector<bool>& among) {
-    return take_rows(selected.jacobians[p], among, certain);
-  };
+  const SampledJacobians& at = selected.jacobians;
   const std::vector<bool> all(s.rows.size(), true);
   for (const int p : {1, 2, 0}) {
-    auto [rank, taken] = take(p, all);
+    auto [rank, taken] = take(at[p], all);
     if (rank <= best_rank) continue;
     best_rank = rank;
     selected.taken = std::move(taken);
@@ -110,15 +102,16 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
   if (best_rank < s.unknowns) {
     const Linearisation small = linearisers_.of_small.at(positions_[0], s);
     const VectorXd uncertain = uncertainty(m_, positions_[0], s);
-    if (auto [rank, taken] = take_rows(small.jacobian, all, uncertain); rank == s.unknowns)
+    if (auto [rank, taken] = take(small.jacobian, all, uncertain); rank == s.unknowns)
       selected.taken = std::move(taken);
     else if (uncertain.size() > 0)
       selected.uncertain = uncertain.maxCoeff();
   }
   if (std::ranges::find(selected.taken, false) == selected.taken.end()) return selected;
   // Prefers rows that have full rank in the nominal position, too: a motion may rest there.
-  if (auto [rank, taken] = take(0, all);
-      rank == s.unknowns && take(0, selected.taken).first < rank && take(1, taken).first == rank)
+  if (auto [rank, taken] = take(at[0], all); rank == s.unknowns &&
+                                             take(at[0], selected.taken).first < rank &&
+                                             take(at[1], taken).first == rank)
     selected.taken = std::move(taken);
   return selected;
 }
@@ -130,7 +123,9 @@ std::vector<int> RowSelector::preference(const GroupSystem& s) const {
   for (int c = s.first_constraint; c < s.end_constraint; ++c) {
     const Constraint& constraint = m_.constraints[c];
     std::vector<int> entries(rows(constraint), 0);
-    visit_incidence(m_, constraint, [&](int row, int state) { entries[row] += moves_[state]; });
+    visit_entries(constraint, [&](int row, int operand, int, double) {
+      entries[row] += !m_.is_at_rest(constraint.operands[operand]);
+    });
     for (const int n : entries)
       ranks.emplace_back(constraint.derives < 0, !is_linear(constraint), n, constraint.source,
                          static_cast<int>(ranks.size()));

@@ -19,7 +19,8 @@ struct SelectedRows {
 class RowSelector {
  public:
   /// Stores references: all arguments must outlive the selector.
-  RowSelector(Model& candidates, const SampledPositions& positions, Linearisers& linearisers);
+  RowSelector(Model& candidates, const SampledPositions& positions, Linearisers& linearisers)
+      : m_(candidates), positions_(positions), linearisers_(linearisers) {}
 
   SelectedRows select(const GroupSystem& system);
 
@@ -35,7 +36,6 @@ class RowSelector {
   Model& m_;
   const SampledPositions& positions_;
   Linearisers& linearisers_;
-  std::vector<bool> moves_;  // components of the state that can move
 };
 
 }  // namespace desmo
