@@ -17,6 +17,7 @@ std::vector<Document> documents() {
   const Record amd = read_record(filed / "amd-epyc-paper.json.gz");
   for (const char* name : {"intel-xeon-paper", "amd-epyc-extremes"})
     all.push_back(make_report(read_record(filed / (std::string(name) + ".json.gz")), {&amd}));
+  all.push_back(make_report(read_record(data_file("golden/2.1.0-others.json"))));
   for (const Json& record : {complete_record(), points_record(), sizes_record()})
     all.push_back(make_report(record_from(record)));
   all.push_back({"", {history_section(history_sample())}});
@@ -62,9 +63,9 @@ TEST(Figures, DrawWhatTheirTablesSay) {
     }
     EXPECT_EQ(at, files.size());
   }
-  EXPECT_EQ(seen,
-            (std::set<std::string>{"extremes", "figure5", "figure6", "growth", "history", "ladder",
-                                   "machines", "peers", "requests", "work_precision"}));
+  EXPECT_EQ(seen, (std::set<std::string>{"extremes", "figure5", "figure6", "growth", "history",
+                                         "ladder", "machines", "modelling", "peers", "requests",
+                                         "work_precision"}));
 }
 
 /// Relative luminance of "#rrggbb" or "#rgb" (WCAG 2).
