@@ -1,4 +1,4 @@
-// What every figure of every sample has: its table's numbers, and colours that stand out.
+// Every figure of every sample has its table's numbers, and colours that stand out.
 #include <cmath>
 #include <set>
 
@@ -24,7 +24,7 @@ std::vector<Document> documents() {
   return all;
 }
 
-/// Of all figures of all samples: every number drawn is one of the table's, every text of the hover
+/// In all figures of all samples, every number drawn is one of the table's, every text of the hover
 /// is the table's, and there is one of each.
 TEST(Figures, DrawWhatTheirTablesSay) {
   std::set<std::string> seen;
@@ -102,7 +102,7 @@ std::vector<std::string> backgrounds() {
   return texts_between(css, "--paper: ", ";");
 }
 
-// Of figure 6: in the dark, ours is the brighter.
+// In figure 6 ours is the brighter in the dark.
 TEST(Contrast, TellsOursFromThePapers) { EXPECT_LT(luminance("#7a7a7a"), luminance("#d55e00")); }
 
 /// Needed of graphical objects (WCAG 2, 1.4.11): every series is seen in the light and in the dark.

@@ -25,7 +25,7 @@ TEST(RecordReader, QuotesTheBeginningOfALongText) {
   EXPECT_LT(complaint(changed(complete_record(), "/schema_version", far)).size(), 500u);
 }
 
-// What a newer minor version adds is ignored, and its numbers are the same.
+// Additions of a newer minor version are ignored, and the numbers are the same.
 TEST(RecordReader, ReadsANewerMinorVersionWithANote) {
   Json json = complete_record();
   EXPECT_EQ(note_on_version(record_from(json).version), "");

@@ -1,4 +1,4 @@
-// Which records may be compared, and two machines side by side.
+// Conditions under which records may be compared.
 #include "report/statistics/comparability.h"
 
 #include "tests/report/sample.h"

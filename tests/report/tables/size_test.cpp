@@ -16,7 +16,7 @@ TEST(Sizes, OfWrongAnswersHaveNoTime) {
   EXPECT_EQ(read().status, Status::failed);
   EXPECT_EQ(read().message, "velocity differs by 2e-08, 1e-08 is allowed");
   EXPECT_TRUE(read().time.seconds.empty());
-  // With a larger tolerance it may differ more.
+  // A larger tolerance allows larger differences.
   size["tolerance"] = 3 * json["record"]["settings"]["tolerance"].get<double>();
   EXPECT_EQ(read().status, Status::ok);
   size["verification"]["velocity"] = 4e-8;
