@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cases/io/new_files.h"
+#include "cases/io/text_file.h"
 #include "report/check/check_outcome.h"
 #include "report/check/check_record.h"
 #include "report/figures/figures.h"
@@ -198,7 +199,7 @@ int main(int argc, char** argv) {
     return tables(command);
   } catch (const std::invalid_argument& error) {
     return failed(error, usage_error);
-  } catch (const UnreadableRecord& error) {
+  } catch (const UnreadableFile& error) {
     return failed(error, is_check ? usage_error : bad_input);
   } catch (const MixedRecord& error) {
     return failed(error, incomparable);

@@ -24,7 +24,7 @@ Document make_report(const Record& record, const std::vector<const Record*>& bes
 /// record measured the same.
 Section machines(const Record& record, const std::vector<const Record*>& others);
 
-/// Returns the files of a static site by folder. Throws InputError, or MixedRecord.
+/// Returns the files of a static site by folder. Throws InputError, MixedRecord or UnreadableFile.
 /// - for each record in results/records: its page and figures, next to the other records
 /// - "history", where there is results/history.json: its page and figure
 /// - "": index.html, which selects by machine and date

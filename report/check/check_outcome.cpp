@@ -4,7 +4,6 @@
 #include <array>
 
 #include "report/tables/entries.h"
-#include "report/tables/record_words.h"
 
 namespace desmo::report {
 namespace {
@@ -161,12 +160,13 @@ std::vector<std::string> summary(const CheckOutcome& outcome) {
   return lines;
 }
 
+/// Returns the beginning of the commit, with a word where the tree had uncommitted changes.
+std::string short_commit(const Record& record) {
+  return record.commit.substr(0, 12) + (record.dirty ? " " + sentence("common.uncommitted") : "");
+}
+
 std::string provenance_line(const CheckRecord& check) {
   const Record& head = check.head;
-  const auto short_commit = [](Record record) {
-    record.commit.resize(std::min<std::size_t>(12, record.commit.size()));
-    return commit_of(record);
-  };
   std::string text =
       check.base ? sentence("verdict.base", {{"commit", short_commit(*check.base)}}) + " " : "";
   text += sentence("verdict.measured", {{"commit", short_commit(head)},

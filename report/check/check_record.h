@@ -57,7 +57,7 @@ bool has_times(const Record& side);
 /// Throws InputError, naming the place, UnsupportedVersion or MixedRecord.
 CheckRecord parse_check(std::string_view text, const std::string& file = "check");
 
-/// Reads and parses a file, plain or gzip. Throws as parse_check(), or UnreadableRecord.
+/// Reads and parses a file, plain or gzip. Throws as parse_check(), or UnreadableFile.
 CheckRecord read_check(const std::filesystem::path& file);
 
 }  // namespace desmo::report

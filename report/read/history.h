@@ -21,7 +21,7 @@ struct History {
 };
 
 /// Reads a file {"schema": 2, "candidates", "points": [{"commit", "date", "subject", "compiler",
-/// "instructions"}]}. Throws InputError, naming file and place, or UnreadableRecord.
+/// "instructions"}]}. Throws InputError, naming file and place, or UnreadableFile.
 History read_history(const std::filesystem::path& file);
 
 }  // namespace desmo::report

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cases/io/text_file.h"
 #include "report/read/readers.h"
 #include "report/read/record_file.h"
 #include "report/text/digits.h"
@@ -130,10 +131,9 @@ Record read_record(const std::filesystem::path& file) {
 
 std::map<std::string, Record> read_records(const std::filesystem::path& folder) {
   std::error_code error;
-  if (!is_directory(folder, error))
-    throw UnreadableRecord(folder.string() + ": there is no folder");
+  if (!is_directory(folder, error)) throw UnreadableFile(folder.string() + ": there is no folder");
   const std::filesystem::directory_iterator files(folder, error);
-  if (error) throw UnreadableRecord(folder.string() + ": " + error.message());
+  if (error) throw UnreadableFile(folder.string() + ": " + error.message());
   std::map<std::string, Record> records;
   for (const auto& file : files) {
     const std::string name = file.path().filename().string();

@@ -155,11 +155,11 @@ Record parse_record(std::string_view text, const std::string& file = "record");
 /// Reads a record from a parsed document, of which it may be a part. Throws as parse_record().
 Record read_record(const RecordValue& root);
 
-/// Reads a file, plain or gzip, and parses it. Throws as parse_record(), or UnreadableRecord.
+/// Reads a file, plain or gzip, and parses it. Throws as parse_record(), or UnreadableFile.
 Record read_record(const std::filesystem::path& file);
 
 /// Reads every file of a folder that has ".json" in its name, as a record. The key is the name up
-/// to there. Throws as read_record(), UnreadableRecord where the folder cannot be read, and
+/// to there. Throws as read_record(), UnreadableFile where the folder cannot be read, and
 /// InputError where two files have the same key.
 std::map<std::string, Record> read_records(const std::filesystem::path& folder);
 

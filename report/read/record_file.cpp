@@ -38,12 +38,8 @@ std::string decompressed(std::string& bytes, const std::string& file) {
 }  // namespace
 
 std::string read_record_text(const std::filesystem::path& file) {
-  try {
-    std::string bytes = read_text(file);
-    return bytes.starts_with("\x1f\x8b") ? decompressed(bytes, file.string()) : bytes;
-  } catch (const UnreadableFile& error) {
-    throw UnreadableRecord(file.string() + ": " + error.what());
-  }
+  std::string bytes = read_named_text(file);
+  return bytes.starts_with("\x1f\x8b") ? decompressed(bytes, file.string()) : bytes;
 }
 
 namespace {

@@ -28,15 +28,9 @@ class UnsupportedVersion : public InputError {
   using InputError::InputError;
 };
 
-/// Error of a file that does not exist, or cannot be read.
-class UnreadableRecord : public InputError {
- public:
-  using InputError::InputError;
-};
-
-/// Reads the text of a file, compressed by gzip or not. Throws UnreadableRecord when the file
-/// cannot be read or has more than max_file bytes, and InputError when it decompresses to more, or
-/// is damaged.
+/// Reads the text of a file, compressed by gzip or not. Throws UnreadableFile, naming the file,
+/// when it cannot be read or has more than max_file bytes, and InputError when it decompresses to
+/// more, or is damaged.
 std::string read_record_text(const std::filesystem::path& file);
 
 /// Parses a text and calls read() with its root. Adds the file to the message of a MixedRecord.

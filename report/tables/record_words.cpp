@@ -13,11 +13,6 @@
 #include "report/text/texts.h"
 
 namespace desmo::report {
-
-std::string commit_of(const Record& record) {
-  return record.commit + (record.dirty ? " " + sentence("common.uncommitted") : "");
-}
-
 namespace {
 
 /// The least and the largest number of repetitions of a measurement of the paper's experiment; both

@@ -1,4 +1,4 @@
-// Words for the commit, the times, the repetitions and the motion of a record.
+// Words for the times, the repetitions and the motion of a record.
 #pragma once
 
 #include <string>
@@ -7,9 +7,6 @@
 #include "report/text/texts.h"
 
 namespace desmo::report {
-
-/// Returns the commit, with a word where the tree had uncommitted changes.
-std::string commit_of(const Record& record);
 
 /// Returns the values of placeholders in texts about the times of the paper's experiment, followed
 /// by `more`:

@@ -1,7 +1,5 @@
 #include "tests/report/points_sample.h"
 
-#include <stdexcept>
-
 namespace desmo::report {
 namespace {
 
@@ -53,10 +51,8 @@ Json solved_point(const std::string& id, double microseconds, double error, doub
 }
 
 Json& point_of(Json& record, const std::string& id) {
-  for (Json& point : record["accuracy"]["points"])
-    if (point["coordinates"] == 225 && point["step_seconds"] == 0.01 && point["id"] == id)
-      return point;
-  throw std::runtime_error("no point " + id);
+  return element_with(record["accuracy"]["points"],
+                      {{"coordinates", 225}, {"step_seconds", 0.01}, {"id", id}});
 }
 
 Json points_record() {

@@ -1,4 +1,4 @@
-// What the repository's pages quote of filed records, and how long the front page is.
+// Quotations of filed records in the repository's pages, and the length of the front page.
 #include <sstream>
 
 #include "tests/report/formats/references.h"
@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In one line, with a space between words.
+// Returns a text in one line, with a space between words.
 std::string in_one_line(const std::string& text) {
   std::istringstream words(text);
   std::string result;

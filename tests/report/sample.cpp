@@ -17,12 +17,6 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
-    text.replace(at, from.size(), to);
-  return text;
-}
-
 bool says(const std::vector<std::string>& texts, const std::string& part) {
   return std::ranges::any_of(
       texts, [&](const std::string& text) { return text.find(part) != std::string::npos; });
@@ -55,6 +49,8 @@ Json empty_record() {
 }
 
 Json changed(Json record, const std::string& place, const Json& value) {
+  if (value.is_discarded())
+    return record.patch(Json::array({Json{{"op", "remove"}, {"path", place}}}));
   record[Json::json_pointer(place)] = value;
   return record;
 }
@@ -107,26 +103,24 @@ void keep_samples(Json& record, std::size_t repetitions) {
   });
 }
 
-namespace {
-
-std::size_t position(const Json& record, int coordinates, const std::string& id) {
-  const Json& candidates = record["paper"]["candidates"];
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (candidates[i]["case"] == truck && candidates[i]["coordinates"] == coordinates &&
-        candidates[i]["id"] == id)
-      return i;
-  throw std::runtime_error("no candidate truck_suspension/" + std::to_string(coordinates) + "/" +
-                           id);
+Json& element_with(Json& list, const Json& members) {
+  for (Json& element : list) {
+    Json with_members = element;
+    with_members.update(members);
+    if (with_members == element) return element;
+  }
+  throw std::runtime_error("nothing has " + members.dump());
 }
 
-}  // namespace
-
 Json& candidate_of(Json& record, int coordinates, const std::string& id) {
-  return record["paper"]["candidates"][position(record, coordinates, id)];
+  return element_with(record["paper"]["candidates"],
+                      {{"case", truck}, {"coordinates", coordinates}, {"id", id}});
 }
 
 void erase_candidate(Json& record, int coordinates, const std::string& id) {
-  record["paper"]["candidates"].erase(position(record, coordinates, id));
+  const Json& erased = candidate_of(record, coordinates, id);
+  Json& candidates = record["paper"]["candidates"];
+  candidates.erase(static_cast<std::size_t>(&erased - &candidates.front()));
 }
 
 void fail(Json& measurement) {
@@ -166,12 +160,10 @@ void set_family(Json& json, const std::string& id, double seconds, double spread
 
 Record record_from(const Json& json) { return parse_record(json.dump()); }
 
-std::string complaint(const std::string& text) {
-  const std::string said = refusal<InputError>([&] { parse_record(text); }), file = "record: ";
+std::string complaint(const Json& json) {
+  const std::string said = refusal<InputError>([&] { record_from(json); }), file = "record: ";
   return said.starts_with(file) ? said.substr(file.size()) : said;
 }
-
-std::string complaint(const Json& json) { return complaint(json.dump()); }
 
 void expect_refusals(const Json& record, const std::vector<Refusal>& refusals) {
   EXPECT_EQ(complaint(record), "accepted");

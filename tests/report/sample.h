@@ -16,6 +16,7 @@
 #include "report/text/document.h"
 #include "tests/contains.h"
 #include "tests/refusal.h"
+#include "tests/replaced.h"
 
 namespace desmo::report {
 
@@ -25,7 +26,6 @@ inline constexpr const char* truck = "truck_suspension";
 
 std::filesystem::path data_file(const std::string& name);
 std::size_t count(const std::string& text, const std::string& part);
-std::string replaced(std::string text, const std::string& from, const std::string& to);
 /// Returns whether one of the texts contains a part.
 bool says(const std::vector<std::string>& texts, const std::string& part);
 
@@ -39,7 +39,10 @@ Json origins_record();
 /// Returns a record of schema 2, with its paper's experiment, in schema 3.
 Json in_schema_3(Json record);
 
-/// Returns a record with another value at a place, "/paper/candidates/0/status".
+/// Stands for a value that a changed record does not have.
+inline const Json removed(Json::value_t::discarded);
+
+/// Returns a record with another value at a place, "/paper/candidates/0/status", or without it.
 Json changed(Json record, const std::string& place, const Json& value);
 
 /// Returns the record with timing windows: the smallest sample of each time is divided into windows
@@ -61,6 +64,9 @@ Json empty_record();
 
 /// Returns data/requests.json: small, with requests and made-up numbers.
 Json requests_record();
+
+/// Returns the first element of a list that has these members. Fails the test when there is none.
+Json& element_with(Json& list, const Json& members);
 
 /// Returns a truck candidate of a record. Fails the test when there is none.
 Json& candidate_of(Json& record, int coordinates, const std::string& id);
@@ -87,11 +93,10 @@ void set_family(Json& json, const std::string& id, double seconds, double spread
 Record record_from(const Json& json);
 
 /// Returns the reader's error message for a record, or "accepted".
-std::string complaint(const std::string& text);
 std::string complaint(const Json& json);
 
-/// A value at a place of a record, and what the reader says of it: a message that begins with ":"
-/// is one about this very place.
+/// A value at a place of a record, or `removed`, and what the reader says of it: a message that
+/// begins with ":" is one about this very place.
 struct Refusal {
   std::string place;
   Json value;

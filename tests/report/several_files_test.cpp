@@ -35,7 +35,7 @@ TEST_F(Program, PrintsARiseAsANumber) {
 /// The newest record as another machine would have made it.
 std::string of_other_machine(const std::string& other) {
   const Json record = origins_record();
-  return replaced(record.dump(), record["record"]["machine"]["cpu"], other);
+  return replaced_everywhere(record.dump(), record["record"]["machine"]["cpu"], other);
 }
 
 TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {

@@ -38,8 +38,7 @@ TEST(MedianChange, ExchangingTheSidesInvertsIt) {
   EXPECT_NEAR(a.high * b.low, 1, 1e-12);
 }
 
-// Of three values the 27 resamples have the middle one as median 13 times and the others 7 times
-// each.
+// Three values have 27 resamples: the middle one is the median of 13, either other one of 7.
 TEST(BootstrapMedian, OfThreeValuesByCounting) {
   EXPECT_NEAR(median_at_most(1, 3), 7.0 / 27, 1e-12);
   EXPECT_NEAR(median_at_most(2, 3), 20.0 / 27, 1e-12);

@@ -1,4 +1,4 @@
-// What single figures draw.
+// Marks, scales and lines of single figures.
 #include "report/figures/figures.h"
 
 #include <set>

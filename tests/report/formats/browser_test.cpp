@@ -1,4 +1,4 @@
-// How the page with its figures behaves in a browser.
+// The page with its figures in a browser.
 #include <fstream>
 
 #include "report/formats/formats.h"
@@ -13,10 +13,10 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t size_limit = 2'000'000;  // bytes
 
-// With Node.js and Chromium (bench/setup browser), as a reader's computer has it.
+// A page opened with Node.js and Chromium (bench/setup browser), as on a reader's computer.
 class PageInBrowser : public Program {
  protected:
-  // Whether the packages of a folder's lock file are there; the reason in out_ when not.
+  // Returns whether the packages of a folder's lock file are there; out_ has the reason if not.
   bool installed(const std::string& lock_folder, const std::string& work) {
     const fs::path source = DESMO_SOURCE_DIR;
     return shell(std::string(DESMO_REPORT_RENDER) + " --packages " +
@@ -39,7 +39,7 @@ class PageInBrowser : public Program {
   }
 };
 
-// What the hover of each mark says: the entries that a figure draws, as the tables print them.
+// Returns the texts of the marks' hovers: the entries that a figure draws, as tables print them.
 std::vector<std::string> drawn(const Table& table) {
   std::vector<std::string> texts;
   for (const auto& row : table.rows)

@@ -27,7 +27,7 @@ TEST(Csv, QuotesAndMarks) {
             "v,7.100,,time: old\n");
 }
 
-// What a record says is no formula; numbers stay what they are.
+// A text of a record never becomes a formula; numbers stay numbers.
 TEST(Csv, HasNoFormulas) {
   for (const std::string begin : {"=", "+", "-", "@", "\t", "\r"}) {
     const std::string text = begin + "HYPERLINK(1)";
@@ -114,7 +114,7 @@ TEST(Terminal, ShowsInFrontWhatIsMarked) {
   EXPECT_CONTAINS(front_to_terminal(document), "FAILED");
 }
 
-// What bench/run prints at its end.
+// bench/run prints the front at its end.
 TEST(Terminal, FrontOfEveryFiledRecordFitsOnAScreen) {
   const auto records = read_records(DESMO_SOURCE_DIR "/results/records");
   for (const auto& [name, record] : records) {

@@ -51,7 +51,7 @@ TEST(Page, TablesHaveCaptionsAndHeaders) {
   EXPECT_EQ(count(page, "<th scope=\"col\""), columns);
 }
 
-// What was found, the figure, the tables, and what the words mean: the last folded.
+// The order is: the words of what was found, the figure, the tables, and definitions, folded.
 TEST(Page, BeginsWithWhatWasFoundAndFoldsDefinitions) {
   const Table table{.name = "t", .title = "T", .notes = {"Note"}, .columns = {{"id", {}}}};
   Table drawn = table;

@@ -16,15 +16,16 @@ constexpr const char* between = " | ";  // two entries of a row
 
 /// Resolves escapes; every minus sign becomes a hyphen.
 std::string unescaped(std::string text, const std::vector<std::string>& escapes) {
-  for (const std::string& escape : escapes) text = replaced(text, escape, escape.substr(1));
+  for (const std::string& escape : escapes)
+    text = replaced_everywhere(text, escape, escape.substr(1));
   for (const auto& [from, to] :
        {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}, {"−", "-"}})
-    text = replaced(text, from, to);
+    text = replaced_everywhere(text, from, to);
   return text;
 }
 
 std::string from_markdown(const std::string& text) {
-  return unescaped(replaced(text, "<br>", ""),
+  return unescaped(replaced_everywhere(text, "<br>", ""),
                    {"\\`", "\\*", "\\_", "\\|", "\\[", "\\]", "\\~", "\\$", "\\#", "\\\\"});
 }
 
@@ -53,7 +54,8 @@ Rows rows_of_html(const std::string& text) {
   for (std::size_t at = 0; (at = text.find("<tr", at)) != text.npos;) {
     const std::size_t end = text.find("</tr>", at);
     std::string row = text.substr(at, end - at);
-    for (const std::string entry : {"</th>", "</td>"}) row = replaced(row, entry, between + entry);
+    for (const std::string entry : {"</th>", "</td>"})
+      row = replaced_everywhere(row, entry, between + entry);
     rows.push_back(from_html(row));
     rows.back().resize(rows.back().size() - std::string(between).size());
     at = end;

@@ -1,5 +1,3 @@
-
-#include "cases/io/text_file.h"
 #include "report/formats/formats.h"
 #include "tests/report/sample.h"
 #include "tests/started.h"
@@ -7,23 +5,12 @@
 namespace desmo::report::record_reader_test {
 namespace {
 
-TEST(RecordReader, RefusesWhatIsNotJson) {
-  EXPECT_CONTAINS(complaint(read_text(data_file("complete.json")).substr(0, 28669)),
-                  "is the file truncated?");
-  EXPECT_CONTAINS(complaint(std::string("[1]")), "top level: is a list; give an object");
-}
-
-TEST(RecordReader, ReadsTwoMajorVersionsAndSaysWhatToDoWithOthers) {
-  EXPECT_EQ(
-      complaint(changed(complete_record(), "/schema_version", "4.0.0")),
-      "/schema_version: schema version 4.0.0, and this program reads 2.x and 3.x; update desmo and "
-      "build it again");
+TEST(RecordReader, SaysWhatToDoWithAnOldVersion) {
   const Json old{{"schema", "desmo-results"}, {"version", "1.10.0"}, {"candidates", Json::array()}};
   EXPECT_EQ(complaint(old),
             "/version: schema version 1.10.0, and this program reads 2.x and 3.x; measure it anew "
             "(bench/run, bench/check --renew-baseline), or read it with desmo_report of the commit "
             "that it names");
-  EXPECT_THROW(record_from(old), UnsupportedVersion);
 }
 
 TEST(RecordReader, QuotesTheBeginningOfALongText) {
@@ -38,7 +25,7 @@ TEST(RecordReader, QuotesTheBeginningOfALongText) {
   EXPECT_LT(complaint(changed(complete_record(), "/schema_version", far)).size(), 500u);
 }
 
-// What a newer minor version adds is ignored, and its numbers are the same.
+// Additions of a newer minor version are ignored, and the numbers are the same.
 TEST(RecordReader, ReadsANewerMinorVersionWithANote) {
   Json json = complete_record();
   EXPECT_EQ(note_on_version(record_from(json).version), "");
@@ -56,34 +43,27 @@ TEST(RecordReader, ReadsANewerMinorVersionWithANote) {
   }
 }
 
-TEST(RecordReader, NamesTheMissingKey) {
-  for (const auto& [place, key] : std::vector<std::pair<std::string, std::string>>{
-           {"", "schema"},
-           {"", "schema_version"},
-           {"", "record"},
-           {"/record/settings", "instants"},
-           {"/record/settings/allowed", "velocity"},
-           {"/paper/candidates/3", "time"},
-           {"/paper/candidates/3/time", "clock"},
-           {"/paper/profiles/1/time_per_step/phases", "solve"}}) {
-    Json json = complete_record();
-    json[Json::json_pointer(place)].erase(key);
-    EXPECT_CONTAINS(complaint(json),
-                    (place.empty() ? "top level" : place) + ": the key '" + key + "' is missing");
-  }
-}
-
 TEST(RecordReader, RefusesWrongTypesAndValues) {
   std::vector<Refusal> refusals{
+      {"", Json::array({1}), "top level: is a list; give an object"},
+      {"/schema", removed, "top level: the key 'schema' is missing"},
+      {"/schema_version", removed, "top level: the key 'schema_version' is missing"},
+      {"/record", removed, "top level: the key 'record' is missing"},
+      {"/record/settings/instants", removed, "/record/settings: the key 'instants'"},
+      {"/record/settings/allowed/velocity", removed, "/allowed: the key 'velocity'"},
+      {"/paper/candidates/3/time", removed, "/paper/candidates/3: the key 'time'"},
+      {"/paper/candidates/3/time/clock", removed, "/paper/candidates/3/time: the key 'clock'"},
+      {"/paper/candidates/3/verification", removed,
+       "/paper/candidates/3: an \"ok\" candidate needs \"verification\""},
+      {"/paper/profiles/1/time_per_step/phases/solve", removed, "/phases: the key 'solve'"},
+      {"/schema_version", "4.0.0",
+       ": schema version 4.0.0, and this program reads 2.x and 3.x; update desmo and build it"},
       {"/schema", "google-benchmark", ": \"google-benchmark\" is not \"desmo-results\""},
-      {"/schema_version", 1, ": is a number; give a text"},
       {"/record/dirty", 0, ": is a number; give true or false"},
       {"/record/blas/threads", 1.5, ": must be a whole number"},
-      {"/record/libraries/KLU", 2, ": is a number; give a text"},
       {"/record/settings/instants", 0, ": must be a whole number from 1"},
       {"/record/settings/tolerance", -1, ": is negative"},
       {"/record/settings/allowed/velocity", 0, ": "},
-      {"/paper/candidates", Json::object(), ": is an object; give a list"},
       {"/paper/candidates", Json::array(), "top level: nothing was measured"},
       {"/paper/candidates/0/coordinates", 18446744073709551615u, ": "},
       {"/paper/candidates/0/status", "great", ": \"great\" is none of"},
@@ -115,11 +95,10 @@ TEST(RecordReader, RefusesWrongTypesAndValues) {
   expect_refusals(complete_record(), refusals);
 }
 
-TEST(RecordReader, ReadsWhatIsUnusual) {
-  for (const auto& [json, place, value] :
-       {std::tuple(complete_record(), "/record/date", Json("2028-02-29T23:59:60Z")),
-        {requests_record(), "/paper/candidates", Json::array()}})  // requests alone are something
-    EXPECT_EQ(complaint(changed(json, place, value)), "accepted");
+TEST(RecordReader, ReadsALeapSecondAndRequestsAlone) {
+  EXPECT_EQ(complaint(changed(complete_record(), "/record/date", "2028-02-29T23:59:60Z")),
+            "accepted");
+  EXPECT_EQ(complaint(changed(requests_record(), "/paper/candidates", Json::array())), "accepted");
 }
 
 using CompressedRecord = InFolder;
@@ -149,15 +128,6 @@ TEST(RecordReader, RefusesARecordOfTwoOrigins) {
   Json json = changed(origins_record(), "/paper/candidates/1/results", other);
   EXPECT_THROW(record_from(json), MixedRecord);
   json["paper"]["candidates"][1]["status"] = "failed";  // then they are expected to differ
-  EXPECT_EQ(complaint(json), "accepted");
-}
-
-TEST(RecordReader, RefusesAnOkCellWithoutVerification) {
-  Json json = complete_record();
-  json["paper"]["candidates"][3].erase("verification");
-  EXPECT_CONTAINS(complaint(json),
-                  "/paper/candidates/3: an \"ok\" candidate needs \"verification\"");
-  json["paper"]["candidates"][3]["status"] = "failed";
   EXPECT_EQ(complaint(json), "accepted");
 }
 

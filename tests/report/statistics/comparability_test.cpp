@@ -1,4 +1,4 @@
-// Which records may be compared, and two machines side by side.
+// Conditions under which records may be compared.
 #include "report/statistics/comparability.h"
 
 #include "tests/report/sample.h"
@@ -55,7 +55,7 @@ TEST(Comparability, AnotherMachineModelOrResultIsNamedOnce) {
   const std::string place = candidate["case"].get<std::string>() + "/" +
                             std::to_string(candidate["coordinates"].get<int>());
   const auto reasons_with_other = [&](const Json& value, const std::string& other) {
-    return reasons(record, Json::parse(replaced(record.dump(), value, other)));
+    return reasons(record, Json::parse(replaced_everywhere(record.dump(), value, other)));
   };
   const std::string other(64, 'f');
   EXPECT_EQ(reasons_with_other(record["record"]["machine"]["cpu"], "Other CPU"),

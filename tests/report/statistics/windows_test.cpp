@@ -1,4 +1,4 @@
-// What an analysis takes undisturbed, from segments of disturbed ones.
+// The undisturbed time of an analysis, from segments of disturbed ones.
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,8 @@ TEST(UndisturbedTime, OfSegmentsAlikeIsThatOfTheLeast) {
   EXPECT_NEAR(without_best(s), 1.3 * expected, 1e-12);  // one witness is none
 }
 
-/// Where only segments with many updates were undisturbed, those with few took no longer.
+/// Segments with few updates take no longer than segments with many, if only these were
+/// undisturbed.
 TEST(UndisturbedTime, RisesWithTheUpdates) {
   Windows s = segments_of({10000, 10000, 20000, 20000}, 1);
   for (const std::size_t k : {0, 1}) s.samples[0][k] *= 10;
@@ -77,8 +78,8 @@ TEST(UndisturbedTime, RisesWithTheUpdates) {
   EXPECT_GE(undisturbed(s), truth(s));
 }
 
-/// And costs no more in proportion: what only the first segment does, which has the assembly, is
-/// not taken from where it was disturbed.
+/// The time grows at most in proportion to the updates. The first segment alone has the assembly,
+/// and its time is not taken from where it was disturbed.
 TEST(UndisturbedTime, GrowsNoFasterThanTheUpdates) {
   std::vector<double> updates;
   for (int k = 0; k < 25; ++k) updates.push_back(k == 0 ? 3e4 : 165 * (120 + k % 2));
@@ -117,7 +118,8 @@ TEST(UndisturbedTime, AgreesFromRunToRun) {
   EXPECT_GT(conclusive, runs * 9 / 10);
 }
 
-/// Of several threads there is one segment, the whole: beside others its samples count as theirs.
+/// Several threads have one segment, the whole motion. Compared with many segments, its samples
+/// count as theirs.
 TEST(UndisturbedTime, OfOneSegmentIsTheLeastAnalysis) {
   const Windows many = segments_of(varied_updates(), 3);
   Windows one{

@@ -26,8 +26,7 @@ TEST(AccuracyCosts, StandInASentenceInFront) {
             std::string("exact to 1e-06: ") + missing_mark + " times as fast");
 }
 
-// A formulation of the paper's tables is held to the same error, and to its own
-// guesses_and_updates.
+// A formulation of the paper's tables is compared at the same error, with any guess and update.
 TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
   Json json = points_record();
   json["accuracy"]["points"].push_back(
@@ -83,7 +82,7 @@ TEST(Guesses, AreComparedAtEqualErrorAndWithThePapersSettings) {
   expect_row(table, {truck, "225", "previous", "step"}, {{"stop", "nothing that holds it"}});
 }
 
-// What guesses and factors improvement is not mixed up with instants that are not solved.
+// Points that interpolate instants are no part of the table: their gain is another one.
 TEST(Guesses, AreOfEveryInstantSolved) {
   Json json = points_record();
   json["accuracy"]["points"].push_back(solved_point(klu + "/stride:2", 5, 1e-12, 1.5));

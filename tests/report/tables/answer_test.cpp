@@ -1,4 +1,4 @@
-// What the report says first and last: the answer, the choice of the reference, the limitations.
+// First and last words of the report: the answer, the choice of the reference, the limitations.
 
 #include "report/formats/formats.h"
 #include "report/text/texts.h"

@@ -1,4 +1,3 @@
-
 #include "tests/report/sample.h"
 
 namespace desmo::report::checks_test {

@@ -11,7 +11,7 @@ Json result(int row, const char* case_name, const char* id, const char* verdict)
   return json;
 }
 
-/// With numbers: so many times the floor of 1e-12 in velocity, less in the others.
+/// Adds errors to a result: in velocity a multiple of the floor of 1e-12, less at other levels.
 Json compared(Json json, double times_floor) {
   const auto level = [](double error) { return Json{{"error", error}, {"floor", 1e-12}}; };
   json["worst"] = {{"position", level(1e-13)},

@@ -1,6 +1,5 @@
 // The paper's comparison in each kind of coordinates: reader, sentences, tables.
 
-#include "report/figures/figures.h"
 #include "report/report.h"
 #include "tests/report/size_sample.h"
 
@@ -40,14 +39,6 @@ TEST(ModellingTables, StandBesideThoseOfAnotherMachine) {
       record_from(changed(modelling_record(), "/record/machine/cpu", "Another CPU"));
   const Table table = table_named(make_report(here, {&there}), "machines_modelling");
   EXPECT_FALSE(table.rows.empty());
-}
-
-TEST(ModellingFigure, HasTheFormulations) {
-  bool found = false;
-  for (const NewFile& file : figures(make_report(record_from(modelling_record()))))
-    found |= file.file_name == "modelling.vl.json" &&
-             file.content.find("group_automatic_klu") != std::string::npos;
-  EXPECT_TRUE(found);
 }
 
 // A size that failed is no part of a mean, and says so.

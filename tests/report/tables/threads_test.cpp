@@ -1,4 +1,3 @@
-
 #include <stdexcept>
 
 #include "report/statistics/measurements.h"
