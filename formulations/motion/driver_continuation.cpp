@@ -28,11 +28,11 @@ std::vector<double> driver_changes(const Model& m, const State& from, const Stat
   return changes;
 }
 
-int continuation_steps(const Model& m, std::span<const double> changes) {
+int continuation_steps(const Model& m, std::span<const double> changes, bool are_short) {
   constexpr int usual = 8;  // number of steps (≥), more where drivers turn far
   // maximum turn of a driver in a step [rad], so that Newton's method stays on its branch
   constexpr double max_turn = 0.1;
-  if (!whole_turns_count(m)) return usual;
+  if (!are_short && !whole_turns_count(m)) return usual;
   double largest = 0;
   for (std::size_t d = 0; d < changes.size(); ++d)
     if (m.entities[m.drivers[d].coordinate].kind == EntityKind::angle)
@@ -45,9 +45,9 @@ namespace {
 using Solve = std::function<bool(State&, std::span<const double> last)>;
 
 /// Moves the drivers by these changes. Returns false where that cannot be solved.
-bool move_drivers(const Model& m, std::span<const double> changes, State& state,
-                  const Solve& solve) {
-  const double max_step = 1.0 / continuation_steps(m, changes), min_step = max_step / 16;
+bool move_drivers(const Model& m, std::span<const double> changes, State& state, const Solve& solve,
+                  bool are_short = false) {
+  const double max_step = 1.0 / continuation_steps(m, changes, are_short), min_step = max_step / 16;
   const State start = state;
   State reached = state;
   double done = 0, step = 0;  // shares of the changes; 0: the first solve is at the start
@@ -94,22 +94,23 @@ void leave_out_turns(const Model& m, std::vector<double>& changes, State& state,
 }  // namespace
 
 ContinuationEnd continue_drivers_to(const Model& m, const State& to, State& state,
-                                    const Solve& solve) {
+                                    const Solve& solve, bool are_short) {
   const State start = state;
   std::vector<double> changes = driver_changes(m, start, to);
   if (continuation_steps(m, changes) > max_continuation_steps)
     leave_out_turns(m, changes, state, solve);
   if (continuation_steps(m, changes) > max_continuation_steps) return ContinuationEnd::too_long;
-  if (move_drivers(m, changes, state, solve)) return ContinuationEnd::reached;
+  if (move_drivers(m, changes, state, solve, are_short)) return ContinuationEnd::reached;
   std::vector<double> whole;  // changes with whole turns: that way may be free
   for (const Driver& d : m.drivers) {
     const int driven = m.entities[d.coordinate].first;
     whole.push_back(to.q[driven] - start.q[driven]);
   }
-  if (whole == changes || continuation_steps(m, whole) > max_continuation_steps)
+  if (whole == changes || continuation_steps(m, whole, are_short) > max_continuation_steps)
     return ContinuationEnd::blocked;
   state = start;
-  return move_drivers(m, whole, state, solve) ? ContinuationEnd::reached : ContinuationEnd::blocked;
+  return move_drivers(m, whole, state, solve, are_short) ? ContinuationEnd::reached
+                                                         : ContinuationEnd::blocked;
 }
 
 }  // namespace desmo

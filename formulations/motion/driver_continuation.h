@@ -17,8 +17,9 @@ bool whole_turns_count(const Model& model);
 std::vector<double> driver_changes(const Model& model, const State& from, const State& to);
 
 /// Returns the number of steps of a continuation, if no step fails. changes: of the drivers, by
-/// driver_changes(). Where couplings count whole turns, drivers turn by at most 0.1 rad in a step.
-int continuation_steps(const Model& model, std::span<const double> changes);
+/// driver_changes(). Where couplings count whole turns, and where steps are to be short, drivers
+/// turn by at most 0.1 rad in a step.
+int continuation_steps(const Model& model, std::span<const double> changes, bool are_short = false);
 
 /// Maximum number of steps of a continuation (≤): some 16,000 turns, or a second of computing time
 /// for a small mechanism.
@@ -37,12 +38,13 @@ enum class ContinuationEnd {
 /// - state: solved; overwritten, on failure with a position on the way
 /// - solve: solves the positions of a state for its drivers, given the last positions; returns
 ///   whether it could. The first call is at the state itself, to find its branches
+/// - are_short: see continuation_steps()
 /// A failed step is halved, down to a sixteenth. Where more than max_continuation_steps would be
 /// needed, turns that lead back (is_back()) are left out first. Where the way without whole turns
 /// is blocked, the way with them is tried, unless it takes more than max_continuation_steps. Not
 /// for timed loops.
 ContinuationEnd continue_drivers_to(
     const Model& model, const State& to, State& state,
-    const std::function<bool(State&, std::span<const double> last)>& solve);
+    const std::function<bool(State&, std::span<const double> last)>& solve, bool are_short = false);
 
 }  // namespace desmo

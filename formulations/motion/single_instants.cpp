@@ -61,8 +61,9 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
     return summary;
   }
   last = state;  // both instants have the constant parts, which are solved once
-  if (whole_turns_count(model())) {
-    const ContinuationEnd end = continue_to(t);
+  const bool in_short_steps = assembles_in_short_steps_ && !is_drawn_at(t);
+  if (in_short_steps || whole_turns_count(model())) {
+    const ContinuationEnd end = continue_to(t, in_short_steps);
     if (end == ContinuationEnd::reached) {
       last.q = state.q;
     } else if (end == ContinuationEnd::too_long) {
@@ -89,19 +90,31 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
   return summary;
 }
 
-ContinuationEnd TimeStepping::continue_to(double t) {
-  const State start = now_.state;
-  State to = start;
+/// Returns a state with the drivers at time t [s]. All else is that of the present one.
+State TimeStepping::drivers_at(double t) {
+  State to = now_.state;
   if (drivers_.is_live()) {
     drivers_.sample(t, to);
     drivers_.write_all(to);
   } else {
     write_drivers(model(), t, to);
   }
+  return to;
+}
+
+/// Returns whether all drivers are at time t [s] where they are drawn, but for whole turns that do
+/// not count.
+bool TimeStepping::is_drawn_at(double t) {
+  const std::vector<double> changes = driver_changes(model(), now_.state, drivers_at(t));
+  return std::ranges::all_of(changes, [](double change) { return change == 0; });
+}
+
+ContinuationEnd TimeStepping::continue_to(double t, bool in_short_steps) {
+  const State start = now_.state, to = drivers_at(t);
   const auto solve = [&](State& state, std::span<const double> from) {
     return sequence_.solve_positions(state, from);
   };
-  const ContinuationEnd end = continue_drivers_to(model(), to, now_.state, solve);
+  const ContinuationEnd end = continue_drivers_to(model(), to, now_.state, solve, in_short_steps);
   if (end != ContinuationEnd::reached) now_.state = start;
   return end;
 }

@@ -36,6 +36,11 @@ class TimeStepping final : public Formulation {
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   void solve_only(std::span<const Level> needed) override;
 
+  /// Makes each assembly begin at the drawing and go on in short steps of the drivers, where these
+  /// are drawn elsewhere. Newton's method alone may end on another branch. Where the steps are
+  /// blocked, it is used alone.
+  void assemble_in_short_steps() { assembles_in_short_steps_ = true; }
+
   /// Goes to time t [s] of the motion without solving the instants before, by continuation. Drivers
   /// move linearly from the positions q to where they are at t. q: Model::coordinates() values or
   /// more, solved at another instant. The next step goes on from the position at t. Returns false
@@ -106,7 +111,9 @@ class TimeStepping final : public Formulation {
   Summary assemble_from_estimate(double t, Level level);
   /// Continues the present positions to where the drivers are at time t [s]: see
   /// continue_drivers_to(). Restores the state where that is not possible.
-  ContinuationEnd continue_to(double t);
+  ContinuationEnd continue_to(double t, bool in_short_steps = false);
+  bool is_drawn_at(double t);
+  State drivers_at(double t);
   void note_failure(int part);
   void find_culprit_of_failure(Summary& summary) const;
   Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);
@@ -119,6 +126,7 @@ class TimeStepping final : public Formulation {
   SolvedState now_, before_;   // the instant solved last, and the one before it
   std::vector<double> start_;  // positions at the start of a step that is taken in sub-steps
   Failure failure_;
+  bool assembles_in_short_steps_ = false;
   bool assembled_ = false;  // now_ has positions at its time, whatever is known of rates
   std::unique_ptr<SegmentExecutor> executor_;
   State ended_;  // the last instant that the executor solved

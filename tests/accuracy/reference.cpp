@@ -10,7 +10,6 @@
 
 #include "cases/extremes/rows.h"
 #include "formulations/parts/groupwise/groupwise_solver.h"
-#include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/library/jet.h"
@@ -86,16 +85,10 @@ TEST(Reference, StartsOnTheBranchOfTheDrawing) {
 }
 
 TEST(Reference, ADifferenceOfOneOutputShowsInTheFloor) {
-  const Scene scene = library_scene("slider_crank");
-  const Model m = make_model(scene);
-  GroupwiseSolver<Quadruple> groups(m);
-  GlobalSolver<Quadruple> global(m);
-  groups.solve_positions(0.1);
-  groups.solve_rates();
-  global.solve_positions(0.1);
-  global.solve_rates();
-  const WideInstant a{0.1, groups.q(), groups.qd(), groups.qdd()};
-  WideInstant b{0.1, global.q(), global.qd(), global.qdd()};
+  const Model m = make_model(library_scene("slider_crank"));
+  const std::vector<Quadruple> any(m.coordinates(), Quadruple(1) / 3);
+  const WideInstant a{0.1, any, any, any};
+  WideInstant b = a;
   const Scales scales{{2, 3, 5}, {1, 7, 11}};
   const Entity& s = m.entities[m.find("s")];
   const Entity& phi = m.entities[m.find("phi")];

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "formulations/model/characteristic_lengths.h"
@@ -62,10 +61,11 @@ class Follower {
     return (solved + unsolved) / 2;
   }
 
-  std::vector<Quadruple> q_at(double distance) const {
+  std::vector<double> q_at(double distance) const {
     GlobalSolver<Quadruple> solver(m_);
     follow_to(distance, solver);
-    return solver.q();
+    const std::vector<Quadruple> q = solver.q();
+    return {q.begin(), q.end()};
   }
 
  private:
@@ -120,10 +120,6 @@ TEST_P(Locks, AreWhereQuadruplePrecisionEnds) {
       EXPECT_EQ(end->groups.size(), 1u);
       EXPECT_FALSE(end->moving.empty());
       EXPECT_FALSE(end->constraints.empty());
-      char figures[80];
-      std::snprintf(figures, sizeof figures, "%.15g, off by %.1e, bracket %.1e", end->value,
-                    std::abs(limit - distance), std::abs(end->beyond - end->value));
-      RecordProperty(f.m.entities[driver].name + (direction < 0 ? "_down" : "_up"), figures);
       ++locks;
     }
   }
@@ -151,7 +147,7 @@ TEST_P(FullTurns, ComeBackInQuadruplePrecision) {
   const auto first = follower.q_at(0), last = follower.q_at(2 * pi);
   const std::vector<EntityId> owner = entity_of_coordinate(f.m);
   for (std::size_t i = 0; i < first.size(); ++i) {
-    double change = static_cast<double>(last[i] - first[i]);
+    double change = last[i] - first[i];
     if (f.m.entities[owner[i]].kind == EntityKind::angle) change = std::remainder(change, 2 * pi);
     EXPECT_LT(std::abs(change), 1e-12) << f.m.entities[owner[i]].name;
   }
@@ -191,10 +187,7 @@ TEST(LibraryRange, ChangePointsOfTheDeltaRobotAreSingular) {
       const double distance = c.value - f.ranges[d].start;
       const Follower follower(f.m, f.q, d, distance > 0 ? 1 : -1);
       const auto condition_before = [&](double by) {
-        std::vector<double> q;
-        for (const Quadruple& x : follower.q_at(std::abs(distance) - by))
-          q.push_back(static_cast<double>(x));
-        return ConditionNumber(f.m)(q);
+        return ConditionNumber(f.m)(follower.q_at(std::abs(distance) - by));
       };
       // It grows as one over the distance. Nearer, rounding of dimensions opens the crossing.
       EXPECT_NEAR(condition_before(1e-7) / condition_before(1e-6), 10, 0.2);

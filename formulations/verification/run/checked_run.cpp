@@ -236,6 +236,7 @@ CheckedSummary run_checked(Formulation& formulation, const TimeGrid& grid, const
   if (options.mode != CheckMode::none) require_natural(formulation.model());
   if (!options.levels.empty()) formulation.solve_only(options.levels);
   if (options.mode == CheckMode::none) {
+    stepping_of(formulation).assemble_in_short_steps();
     CheckedSummary summary;
     static_cast<BasicSummary&>(summary) = formulation.run(grid, request, observer);
     if (summary.status == Status::not_converged)
