@@ -28,8 +28,9 @@ inline Jet degrees(double time, Real c0, Real c1, Real c2) {
   return Jet(degree) * (Jet(c0) + t * (Jet(c1) + Jet(c2) * t));
 }
 
-// At time t [s]. Gears, belts, screws and mimic joints:
+// At time t [s]. Gears, belts, racks, screws and mimic joints:
 Values planetary_gear(double t);
+Values rack_steering(double t);
 Values belt_arm(double t);
 Values screw_jack(double t);
 Values mimic_gripper(double t);

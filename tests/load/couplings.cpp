@@ -31,11 +31,17 @@ struct Coupled {
 void PrintTo(const Coupled& coupled, std::ostream* out) { *out << coupled.scene; }
 
 constexpr Coupled all[] = {
-    {"cam_dwell", cam_dwell, true},   {"indexing", indexing, true},
-    {"curved_rail", curved_rail},     {"planetary_gear", planetary_gear},
-    {"belt_arm", belt_arm},           {"screw_jack", screw_jack},
-    {"mimic_gripper", mimic_gripper}, {"wound_drum", wound_drum},
-    {"excavator", excavator},         {"guides", guides},
+    {"cam_dwell", cam_dwell, true},
+    {"indexing", indexing, true},
+    {"curved_rail", curved_rail},
+    {"planetary_gear", planetary_gear},
+    {"rack_steering", rack_steering},
+    {"belt_arm", belt_arm},
+    {"screw_jack", screw_jack},
+    {"mimic_gripper", mimic_gripper},
+    {"wound_drum", wound_drum},
+    {"excavator", excavator},
+    {"guides", guides},
 };
 
 /// Every coupling counts whole turns, so angles are compared as they are.

@@ -1,4 +1,4 @@
-// Closed forms of gears, belts, screws and mimic joints.
+// Closed forms of gears, belts, racks, screws and mimic joints.
 
 #include "tests/load/closed_forms.h"
 
@@ -11,6 +11,18 @@ Values planetary_gear(double t) {
   const Jet planet = atan2(Jet(6), Jet(8)) - Jet(42.0L / 18) * arm;
   Values v{{"arm_angle", arm}, {"planet_angle", planet}};
   add(v, "Q", polar(Jet(0.042L), arm) + polar(Jet(0.01L), planet));
+  return v;
+}
+
+Values rack_steering(double t) {
+  const Jet pinion = Jet(-1.5L) + Jet(4) * sin(Jet(pi) * Jet::time(t));
+  const Jet travel = Jet(0.3L) + Jet(0.015L) * (pinion + Jet(pi / 2));
+  Values v{{"travel", travel}};
+  const Jet rod = sqrt(Jet(0.28L * 0.28L + 0.03L * 0.03L)),
+            arm = sqrt(Jet(0.02L * 0.02L + 0.13L * 0.13L));
+  const Vec2 left{{travel - Jet(0.6L), 0}}, right{{travel, 0}};
+  add(v, "EL", meet(left, rod, Vec2{{Jet(-0.6L), Jet(0.1L)}}, arm, Side::left));
+  add(v, "ER", meet(right, rod, Vec2{{Jet(0.6L), Jet(0.1L)}}, arm, Side::right));
   return v;
 }
 
