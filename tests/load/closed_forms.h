@@ -29,6 +29,7 @@ inline Jet degrees(double time, Real c0, Real c1, Real c2) {
 }
 
 // At time t [s]. Gears, belts, racks, screws and mimic joints:
+Values gear_train(double t);
 Values planetary_gear(double t);
 Values rack_steering(double t);
 Values belt_arm(double t);

@@ -34,6 +34,7 @@ constexpr Coupled all[] = {
     {"cam_dwell", cam_dwell, true},
     {"indexing", indexing, true},
     {"curved_rail", curved_rail},
+    {"gear_train", gear_train},
     {"planetary_gear", planetary_gear},
     {"rack_steering", rack_steering},
     {"belt_arm", belt_arm},

@@ -1,12 +1,24 @@
 // Closed forms of gears, belts, racks, screws and mimic joints.
 
+#include <cmath>
+
 #include "tests/load/closed_forms.h"
 
 namespace desmo::load::closed_forms {
 
+Values gear_train(double t) {
+  const Jet a = degrees(t, 900, 720, -90);
+  const Jet c0 = atan2(Jet(5), Jet(-20)), b0 = Jet(pi / 2);
+  const Jet b = b0 - Jet(20.0L / 30) * a, c = c0 + Jet(20.0L / 50) * a;
+  Values v{{"b", b}, {"c", c}};
+  add(v, "B", Vec2{{Jet(0.05L), 0}} + polar(Jet(0.02L), b));
+  add(v, "C", Vec2{{Jet(0.13L), 0}} + polar(Jet(std::sqrt(0.02L * 0.02L + 0.005L * 0.005L)), c));
+  return v;
+}
+
 /// The ratio of sun and arm is 1 + 60/24, as textbooks print it.
 Values planetary_gear(double t) {
-  const Jet sun = degrees(t, 750, 630, 60), drawn = atan2(Jet(3), Jet(10));
+  const Jet sun = degrees(t, 0, 630, 60), drawn = atan2(Jet(3), Jet(10));
   const Jet arm = (sun - drawn) / Jet(1 + 60.0L / 24);
   const Jet planet = atan2(Jet(6), Jet(8)) - Jet(42.0L / 18) * arm;
   Values v{{"arm_angle", arm}, {"planet_angle", planet}};
