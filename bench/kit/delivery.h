@@ -31,16 +31,10 @@ class Delivery : public Observer {
   }
   bool any_order() const noexcept override { return true; }
 
-  /// Return the values of the instant observed last; empty above the level, or before any.
-  std::span<const double> q() const { return shown(last_.q); }
-  std::span<const double> qd() const { return shown(last_.qd); }
-  std::span<const double> qdd() const { return shown(last_.qdd); }
+  /// Returns q of the instant observed last; empty before any.
+  std::span<const double> q() const { return {last_.q, last_.q ? outputs_.size() : 0}; }
 
  private:
-  std::span<const double> shown(const double* values) const {
-    return {values, values ? outputs_.size() : 0};
-  }
-
   OutputPool outputs_;
   OutputView last_{};
 };

@@ -47,7 +47,7 @@ foreach(header IN LISTS documented)
 endforeach()
 run(${CXX} -std=c++20 -fsyntax-only -I ${include} -I ${include}/desmo -I ${examples}
   ${CONSUMER}/examples.cpp)
-foreach(file bin/desmo bin/desmo_bench bin/desmo_report share/desmo/scene.schema.json
+foreach(file bin/desmo bin/desmo_bench bin/desmo_bench_all bin/desmo_report share/desmo/scene.schema.json
     share/doc/desmo/LICENSE share/doc/desmo/cases/files.md)
   if(NOT EXISTS ${work}/prefix/${file})
     message(FATAL_ERROR "not installed: ${file}")
