@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -10,6 +11,12 @@
 #include "formulations/model/scales.h"
 
 namespace desmo {
+
+/// Returns whether a coupling reads an angle, so that whole turns count.
+inline bool whole_turns_count(const Model& m) {
+  const std::vector<bool> coupled = coupled_angles(m);
+  return std::ranges::find(coupled, true) != coupled.end();
+}
 
 /// Maximum drift (≤) of a turn that leads back: distance of a coordinate from its first value,
 /// relative to its nominal magnitude. Drift by rounding is smaller. The drift of a slow shaft,
@@ -41,6 +48,18 @@ inline bool is_back(const Model& m, std::span<const double> from, std::span<cons
     if (!(std::abs(drift) <= max_drift * length)) return false;
   }
   return true;
+}
+
+/// Returns the coordinates that are angles neither driven nor coupled. Equations read their sines
+/// and cosines, so whole turns do not matter.
+inline std::vector<int> free_angles(const Model& m) {
+  const std::vector<bool> driven = independent_coordinates(m), coupled = coupled_angles(m);
+  std::vector<int> angles;
+  for (std::size_t i = 0; i < m.entities.size(); ++i)
+    if (const Entity& e = m.entities[i];
+        !e.fixed && e.kind == EntityKind::angle && !driven[e.first] && !coupled[i])
+      angles.push_back(e.first);
+  return angles;
 }
 
 }  // namespace desmo

@@ -11,11 +11,6 @@
 
 namespace desmo {
 
-bool whole_turns_count(const Model& m) {
-  const std::vector<bool> coupled = coupled_angles(m);
-  return std::ranges::find(coupled, true) != coupled.end();
-}
-
 std::vector<double> driver_changes(const Model& m, const State& from, const State& to) {
   const bool turns_count = whole_turns_count(m);
   std::vector<double> changes;

@@ -9,9 +9,6 @@
 
 namespace desmo {
 
-/// Returns whether a coupling reads an angle, so that whole turns count.
-bool whole_turns_count(const Model& model);
-
 /// Returns how far each driver has to move from one state to where another has it. Whole turns of
 /// angles are left out, unless couplings count them.
 std::vector<double> driver_changes(const Model& model, const State& from, const State& to);

@@ -1,7 +1,9 @@
 // The instants that TimeStepping solves by themselves, and the first one of a motion.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "formulations/model/whole_turns.h"
 #include "formulations/motion/driver_continuation.h"
 #include "formulations/motion/time_stepping.h"
 
@@ -65,6 +67,7 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
   if (in_short_steps || whole_turns_count(model())) {
     const ContinuationEnd end = continue_to(t, in_short_steps);
     if (end == ContinuationEnd::reached) {
+      if (in_short_steps) take_nearest_turns();
       last.q = state.q;
     } else if (end == ContinuationEnd::too_long) {
       summary.status = Status::not_converged;
@@ -107,6 +110,15 @@ State TimeStepping::drivers_at(double t) {
 bool TimeStepping::is_drawn_at(double t) {
   const std::vector<double> changes = driver_changes(model(), now_.state, drivers_at(t));
   return std::ranges::all_of(changes, [](double change) { return change == 0; });
+}
+
+/// Changes free angles by whole turns, to within half a turn of the drawing, as checked runs do.
+void TimeStepping::take_nearest_turns() {
+  constexpr double turn = 2 * std::numbers::pi;
+  for (const int i : free_angles(model())) {
+    double& angle = now_.state.q[i];
+    angle -= turn * std::round((angle - model().estimate[i]) / turn);
+  }
 }
 
 ContinuationEnd TimeStepping::continue_to(double t, bool in_short_steps) {

@@ -112,6 +112,7 @@ class TimeStepping final : public Formulation {
   /// Continues the present positions to where the drivers are at time t [s]: see
   /// continue_drivers_to(). Restores the state where that is not possible.
   ContinuationEnd continue_to(double t, bool in_short_steps = false);
+  void take_nearest_turns();
   bool is_drawn_at(double t);
   State drivers_at(double t);
   void note_failure(int part);

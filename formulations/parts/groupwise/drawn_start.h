@@ -11,6 +11,7 @@
 #include "cases/mechanism/motion.h"
 #include "formulations/model/model.h"
 #include "formulations/model/scales.h"
+#include "formulations/model/whole_turns.h"
 
 namespace desmo {
 
@@ -24,9 +25,8 @@ template <class Solver>
 class DrawnStart {
  public:
   /// drivers: their values at the first instant.
-  DrawnStart(const Model& m, std::span<const double> drivers)
-      : m_(m), solver_(m), coupled_(coupled_angles(m)) {
-    const bool turns_count = std::ranges::find(coupled_, true) != coupled_.end();
+  DrawnStart(const Model& m, std::span<const double> drivers) : m_(m), solver_(m) {
+    const bool turns_count = whole_turns_count(m);
     to_.assign(drivers.begin(), drivers.end());
     const std::vector<double> magnitude = nominal_magnitudes(m);
     for (std::size_t k = 0; k < to_.size(); ++k) {
@@ -54,11 +54,7 @@ class DrawnStart {
       return {};
     solver_.drive(std::span<const double>(to_));
     std::vector<double> q = solver_.q();
-    const std::vector<bool> driven = independent_coordinates(m_);
-    for (std::size_t i = 0; i < m_.entities.size(); ++i)
-      if (const Entity& e = m_.entities[i];
-          !e.fixed && e.kind == EntityKind::angle && !driven[e.first] && !coupled_[i])
-        q[e.first] -= turn * whole_turns(q[e.first] - m_.estimate[e.first]);
+    for (const int i : free_angles(m_)) q[i] -= turn * whole_turns(q[i] - m_.estimate[i]);
     return q;
   }
 
@@ -121,7 +117,6 @@ class DrawnStart {
 
   const Model& m_;
   Solver solver_;
-  const std::vector<bool> coupled_;  // see coupled_angles()
   // of each driver: drawn value, first value, change to make
   std::vector<double> drawn_, to_, way_;
   double farthest_ = 0;  // largest |change|, relative to nominal magnitudes

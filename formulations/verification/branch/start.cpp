@@ -35,18 +35,6 @@ Polynomial straight(double from, const Motion& motion, double time, double left_
   return {{from, {std::fma(-left_out_turns, turn, way.value), {way.correction, way.radius}}}};
 }
 
-/// Returns the coordinates that are angles neither driven nor coupled. Equations read their sines
-/// and cosines, so whole turns do not matter.
-std::vector<int> free_angles(const Model& m) {
-  const std::vector<bool> driven = independent_coordinates(m), coupled = coupled_angles(m);
-  std::vector<int> angles;
-  for (std::size_t i = 0; i < m.entities.size(); ++i)
-    if (const Entity& e = m.entities[i];
-        !e.fixed && e.kind == EntityKind::angle && !driven[e.first] && !coupled[i])
-      angles.push_back(e.first);
-  return angles;
-}
-
 /// Passes the change point on which the motion begins, if the drivers' way from the drawing ends at
 /// one. Writes found.point.
 /// - going: the model with its drivers on that way, which is proven up to found.share
