@@ -41,7 +41,10 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
     throw std::invalid_argument("the number of sub-steps must not be negative");
   if (options.check != CheckMode::none && options.check != CheckMode::proof)
     throw std::invalid_argument("live rows are checked by a proof of each, or not at all");
-  if (options.check != CheckMode::none) require_natural(f.model());
+  if (options.check == CheckMode::none)
+    stepping_of(f).assemble_in_short_steps();
+  else
+    require_natural(f.model());
   for (const Level level : all_levels)
     if (options.scales && level <= options.level &&
         !(options.scales->length[level] > 0 && options.scales->rotation[level] > 0))
