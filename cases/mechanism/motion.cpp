@@ -139,14 +139,11 @@ double rounded_up(const Derived& time) {
                              : value;
 }
 
-/// Returns whether v² ≥ a s: there is no steady phase. Where doubles nearly agree, the exact
-/// numbers decide.
+/// Returns whether v² ≥ a s, as far as the numbers of the file tell: there is no steady phase.
 bool is_triangular(const Derived& s, const Derived& v, const Derived& a) {
-  constexpr double nearly = 0x1p-40;  // relative; v² and a s round to within 0x1p-50
   const Derived square = v * v, product = a * s, more = product - square;
-  return std::abs(more.value) <= nearly * product.value
-             ? more.value + more.correction <= more.radius
-             : square.value >= product.value;
+  return std::isfinite(more.correction) ? more.value + more.correction <= more.radius
+                                        : square.value >= product.value;  // one overflows
 }
 
 void require_finite(const Derived& coefficient) {
