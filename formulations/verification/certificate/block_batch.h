@@ -34,8 +34,8 @@ struct BlockBatch {
   BlockEquations equations;
   std::vector<int> plain;               ///< local states that are unknowns or fixed
   std::vector<int> states;              ///< position of each plain one in the model's state
-  std::vector<int> coordinates;         ///< of each column
-  std::vector<int> rows;                ///< row of each column in ErrorTable
+  std::vector<int> coordinates;         ///< the model's, of each column and lane
+  std::vector<int> rows;                ///< row in ErrorTable of each column and lane
   std::vector<int> locals;              ///< local state of each column, the same in all lanes
   std::vector<LaneNumbers> magnitudes;  ///< of each column
   double rounding;                   ///< bound on all relative rounding, counted in block_image.cpp

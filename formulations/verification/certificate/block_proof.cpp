@@ -118,8 +118,10 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   const BlockBatch& b = *batch_;
   lower_.clear();
   if (!shape_->linear) {
-    // Encloses Φ̇_q and Φ̈_q over the errors of all lower levels, at the delivered rates of this
-    // level.
+    // Encloses Φ̇_q over the errors of positions, at the delivered velocities. For accelerations,
+    // also encloses Φ̈_q over the errors of positions and velocities, at the delivered
+    // accelerations. Terms of `lower_` are linear in the errors of lower levels, so the rates of
+    // this level need no radius.
     b.equations.jacobian_rates(state_, level, rates_);
     lower_.push_back({level, 1, Level::position});
     if (level == Level::acceleration) lower_.push_back({Level::velocity, 2, Level::velocity});

@@ -59,7 +59,8 @@ class CheckedMotion {
   }
 
  private:
-  /// Returns whether follower_->path is at the last proven instant.
+  /// Returns whether the next step begins at follower_->path.present(). On a change point it begins
+  /// at state_.point->beyond() instead. Without state_.on_path the motion is not followed.
   bool follows() const { return state_.on_path && !state_.point; }
   const CheckedInstant* take(const Instant& at, bool is_solved);
   bool reach(const Instant& at, const RefinedInstant* found, bool may_pass);

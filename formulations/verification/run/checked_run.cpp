@@ -92,7 +92,8 @@ class CheckedRun final : Observer {
     return flow;
   }
 
-  /// Hands on a row. Also stops the formulation where the row is not the formulation's.
+  /// Counts a row and hands it on, unless a strict run refuses it. Returns Flow::stop if it does,
+  /// if the observer stops, or if the formulation must restart from the row.
   Flow hand_on(CheckedInstant row) {
     elsewhere_ = row.is_elsewhere;
     summary_.time = row.instant.time;
@@ -216,7 +217,7 @@ class CheckedRun final : Observer {
   std::vector<InstantCopy> memory_;  // of the rows that wait
   std::vector<Instant> waiting_;     // CheckMode::sample: rows since the last one that was checked
   CheckedSummary summary_;
-  double max_residual_ = 0;   // of the rows, while the summary has that of a failure
+  double max_residual_ = 0;   // of the rows, kept while summary_.residual is that of a failure
   int tried_ = 0;             // index of the next row: all before are handed on or left out
   bool elsewhere_ = false;    // the formulation is not where the last row is
   std::vector<double> last_;  // positions of that row

@@ -66,8 +66,10 @@ struct CheckedInstant {
   double condition = 0;  ///< of the instant (Certificate::condition)
   /// The instant is not the formulation's, which is on another branch or has found none.
   bool is_elsewhere = false;
-  bool is_on_point = false;       ///< a mechanism is on a change point, where it has no rates
-  std::optional<RowFlag> flag{};  ///< empty: proven. The worst flag of the independent mechanisms
+  bool is_on_point = false;  ///< a mechanism is on a change point, where it has no rates
+  /// Worst flag of the row, among its independent mechanisms. Empty: the row is proven or, where
+  /// `radius` is empty, lies on the proven step between two checked rows.
+  std::optional<RowFlag> flag{};
   std::span<const RowFlag> other_flags{};  ///< of the other mechanisms
 
   /// Calls a function with each flag, the worst first.
@@ -81,9 +83,11 @@ struct CheckedInstant {
 /// Interval in which a mechanism could not be assembled. Its ends are accurate to 1e-9 s or, where
 /// that is more, to what rounding of time and of the drivers leaves.
 struct Gap {
-  double from, to;                        ///< [s]
-  bool ends;                              ///< false: the interval lasts until the end of the run
-  Summary failure;                        ///< failure at the interval's first grid instant
+  double from, to;  ///< [s]
+  bool ends;        ///< false: the interval lasts until the end of the run
+  /// Status, group, constraint, residual and time of the failure at the interval's first grid
+  /// instant. Counts are those of the run up to it.
+  Summary failure;
   std::optional<Misfit> assembly_error;   ///< as in CheckedSummary
   std::optional<TableLock> table_lock{};  ///< likewise
 };

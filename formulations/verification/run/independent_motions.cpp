@@ -24,8 +24,9 @@ void scatter(const Submodel& s, std::span<const double> own, std::span<double> a
   for (std::size_t k = 0; k < own.size(); ++k) all[s.coordinates[k]] = own[k];
 }
 
-/// Returns whether a flag calls for following the mechanisms one by one. A misfit does not: it is
-/// of one equation in any case.
+/// Returns whether a flag calls for following the mechanisms one by one. Followed together, one
+/// that is blocked leaves the others unproven, too. A misfit blocks none: the motion goes on by the
+/// other equations.
 bool concerns_one(const std::optional<RowFlag>& flag) {
   return flag && flag->kind != RowFlag::Kind::misfit;
 }
