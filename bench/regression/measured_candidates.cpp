@@ -62,8 +62,8 @@ std::vector<std::string> measured_candidates() {
       "truck_suspension/114/group_symbolic_explicit",
       "truck_suspension/114/block_symbolic_inlined",
   };
-  // An algebra that no name has is added: in groups of the truck or, where groups do not have it,
-  // in the first variant that does.
+  // Adds a candidate of the truck for each present algebra that no name ends with. It is the first
+  // variant in groups with that algebra or, if there is none, the first variant of all.
   for (const bool in_groups : {true, false})
     for (const Variant& v : variants()) {
       if (const Backend* const b = find_backend(v.algebra); b && b->absence) continue;

@@ -62,7 +62,8 @@ struct ExtremeCase {
   /// branch of its answer.
   struct Starts {
     int count;   ///< number of estimates
-    double off;  ///< largest error of a coordinate's estimate, divided by its nominal magnitude
+    double off;  ///< largest error of an undriven coordinate's estimate, divided by its nominal
+                 ///< magnitude
   };
   std::optional<Starts> starts = {};
 };

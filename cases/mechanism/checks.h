@@ -50,11 +50,12 @@ bool is_in(int index, const List& list) {
   return index >= 0 && index < static_cast<int>(list.size());
 }
 
-/// Checks that names are not empty, and unique as validate() says.
+/// Checks that no name is empty. Names are unique among bodies, among joints and among couplings.
+/// Points, vectors and coordinates share one set of names.
 void check_names(const Mechanism& mechanism);
 
 /// Checks numbers and indices of points, vectors and bodies, and lengths and frames of bodies. The
-/// points of a body must not all coincide.
+/// points of a moving body without vectors must not all coincide, if it has two or more.
 void check_entities(const Mechanism& mechanism);
 
 /// Checks that the two points of each `along` vector do not coincide. If bodies carry the vector,

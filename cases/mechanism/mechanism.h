@@ -108,10 +108,11 @@ struct Mechanism {
   };
 
   enum class CoordinateType {
-    angle,      ///< angle from direction `from` to direction `of` [rad]; in space to the projection
-                ///< of `of` onto the plane of `from` and `towards`
-    distance,   ///< distance of two points; ≥ 0 as drawn, may become negative where they meet
-    along,      ///< signed distance from one point to another along a vector parallel to their line
+    angle,     ///< angle [rad] to direction `of` from direction `from`, by default the x axis. In
+               ///< space it counts from −from if `opposite`, and goes to the projection of `of`
+               ///< onto the plane of `from` and `towards`
+    distance,  ///< distance of two points, ≥ 0 as drawn; changes its sign when they pass each other
+    along,     ///< signed distance from one point to another along a vector parallel to their line
     component,  ///< coordinate of a point along an axis of the ground's frame
   };
 

@@ -163,8 +163,8 @@ const Batch::Step& Batch::solve(const State& s) {
   for (const KernelBatch& part : parts_) {
     const LaneResult r = part.solve(state_.now(), of_part);
     of_part += max_lanes;
-    // A refused lane goes on with meaningless numbers and may never converge: later iterations do
-    // not count.
+    // A refused lane goes on with meaningless numbers and may never converge. A part reports only
+    // the iterations of its slowest lane. So parts after the one that refused a lane do not count.
     if (step_.accepted == all()) step_.iterations = std::max(step_.iterations, r.iterations);
     step_.accepted &= r.accepted;
   }

@@ -46,7 +46,7 @@ class Batch {
   /// The outcome of a step.
   struct Step {
     unsigned accepted = 0;  ///< bit l: every part of subsystem l is accepted
-    int iterations = 0;     ///< largest number of iterations of a part
+    int iterations = 0;     ///< largest of a part, up to the one that refused a lane
     /// ‖Φ‖₂² of each subsystem; unspecified where not accepted
     std::array<double, max_lanes> residual2{};
   };
@@ -141,9 +141,11 @@ class Batch {
   bool is_driven_ = false;  // begin_step() has written the step's drivers to state_
 };
 
-/// Returns whether two subsystems can be solved in lanes of one batch. Their parts are of the same
-/// types in the same order. Inputs that are one coordinate in one subsystem are one coordinate in
-/// the other.
+/// Returns whether two subsystems can be solved in lanes of one batch. Two conditions must hold:
+/// - Their parts have the same types in the same order.
+/// - Two numbers of the parts, read or written, are one coordinate in `a` exactly if they are one
+/// in
+///   `b`.
 bool are_alike(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b);
 
 }  // namespace desmo

@@ -13,8 +13,9 @@ namespace desmo {
 /// Returns how many numbers a table of n pieces has.
 constexpr int table_size(int n) { return 5 * n + 4; }
 
-/// Maximum distance of an argument outside of a table that does not repeat (≤), relative to the
-/// table's length. Rounding of times and units makes less. The outer pieces are continued over it.
+/// Maximum distance (≤) of an argument outside of a table that does not repeat, relative to the
+/// table's length. The outer pieces are continued over this distance. Rounding of times and units
+/// causes a smaller one.
 inline constexpr double table_margin = 1e-9;
 
 /// Place of an argument in a table. piece: -1: outside.

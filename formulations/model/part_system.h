@@ -21,14 +21,14 @@ struct ScalarState {
 };
 
 /// The n equations of one part as a dense matrix and vectors in any scalar, from the functions of
-/// the constraint kinds.
+/// the constraint kinds. φ are the unknowns of the part, h all other coordinates that it reads.
 template <class S>
 struct PartSystem {
   std::size_t n;
   std::vector<S> jacobian;      ///< Φ_φ (n × n), by rows
   std::vector<S> phi;           ///< Φ
-  std::vector<S> velocity;      ///< −Φ_h ḣ
-  std::vector<S> acceleration;  ///< −Φ_h ḧ − Φ̇_q q̇
+  std::vector<S> velocity;      ///< right-hand side of Φ_φ φ̇ = −Φ_h ḣ
+  std::vector<S> acceleration;  ///< right-hand side of Φ_φ φ̈ = −Φ_h ḧ − Φ̇_q q̇
 
   /// Evaluates the system at a state. `acceleration` also needs the unknowns' velocities in it.
   PartSystem(const Model& m, const PartDefinition& part, const ScalarState<S>& state)

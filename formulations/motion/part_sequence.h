@@ -24,7 +24,7 @@ class PartSequence {
   struct Result {
     Status status = Status::solved;
     long iterations = 0;   ///< largest number of iterations of a part
-    long updates = 0;      ///< see BasicSummary::updates
+    long updates = 0;      ///< iterations times unknowns, summed over parts
     double residual2 = 0;  ///< ‖Φ‖₂² of all parts up to the last one tried
     int failed = -1;       ///< position of the part that could not be solved; -1: none
 

@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 constexpr int compared_instants = 21;
 constexpr int usual_repetitions = 5, quick_repetitions = 2;
 constexpr double sample_seconds = 0.01;      // least duration of a sample [s]
-constexpr double long_motion_seconds = 0.3;  // time of a motion [s] above which two samples do
+constexpr double long_motion_seconds = 0.3;  // a motion that takes longer [s] has two samples
 
 double rounded(double value) { return bench::rounded(value, 6); }
 

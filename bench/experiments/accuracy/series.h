@@ -17,16 +17,17 @@ struct AccuracySeries {
   std::vector<Configuration> configurations;
 };
 
-/// Returns everything that is measured, series by series:
-/// - every formulation at every size with the reduced grid; dense global ones, whose steps cost
-///   O(n³), with the minimal one and over fewer instants;
-/// - at the largest size of the tables, some formulations with the full grid, and those of the
-///   paper's Table 2 with each tolerance and guess, and with each time step.
-/// In a quick run, only the formulations that otherwise have the full grid are measured, with the
-/// reduced grid at the smallest size.
+/// Returns all series to measure. Sizes are those of Case::sizes.
+/// - Every size: each formulation with the reduced grid. Dense global ones, whose steps cost O(n³),
+///   have the minimal grid and fewer instants.
+/// - Largest size: some formulations with the full grid.
+/// - Largest size: formulations of the paper's Table 2. Each tolerance, each guess and each time
+///   step is varied alone, from the default settings.
+/// A quick run measures only the formulations with the full grid, with the reduced grid and at the
+/// smallest size.
 ///
-/// filter: found in <case>/<coordinates>/<id> of each configuration returned; series without any
-/// are left out.
+/// filter: pattern to find in <case>/<coordinates>/<id>. Configurations without it are left out,
+/// and so are series that it leaves empty.
 std::vector<AccuracySeries> make_series(bool quick, const std::regex& filter);
 
 }  // namespace desmo::accuracy

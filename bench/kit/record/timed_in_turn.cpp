@@ -11,7 +11,7 @@ namespace desmo::bench {
 namespace {
 
 constexpr double min_seconds = 0.02;       // least duration of a sample [s]
-constexpr double long_motion_seconds = 1;  // time of a motion [s] above which two samples do
+constexpr double long_motion_seconds = 1;  // a motion that takes longer [s] has two samples
 
 }  // namespace
 

@@ -121,7 +121,8 @@ void state_length(const Mechanism& mechanism, const Mechanism::Body& part, Rigid
         "give nominal positions with that length");
   }
   for (Derived& x : line) x = x * (*part.length / drawn);
-  if (body.vectors.empty()) line = {*part.length, 0, 0};  // exact, in a frame along the line
+  // Without vectors the frame is free. Its x axis along the line takes the length unrounded.
+  if (body.vectors.empty()) line = {*part.length, 0, 0};
   body.own_points = {{p, drawing.origin()}, {q, line}};
   for (const int v : body.vectors) body.own_vectors[v] = drawing.vector(v);
 }

@@ -26,7 +26,7 @@ struct GroupSystem {
   int unknowns = 0;                              ///< number of columns that are unknowns
   std::vector<std::pair<int, int>> rows;         ///< constraint, and row in it, of each row
   bool redundant = false;                        ///< the group has more restrictions than freedoms
-  double dependent_below = desmo::dependent_below;  ///< max_misfit if the group closes_nearly()
+  double dependent_below = desmo::dependent_below;  ///< max_misfit where a group needs it
 
   /// Returns whether the group closes only to the digits of its file.
   bool closes_nearly() const { return dependent_below == max_misfit; }

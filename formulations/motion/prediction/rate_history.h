@@ -36,8 +36,9 @@ class RateHistory {
  private:
   /// Intervals [s] before the last instant, before the one before it, and so on.
   using Intervals = std::array<double, instants - 1>;
-  /// Weights of the four instants, the oldest first, then the first three of them again. `rates_`
-  /// is a ring: in its order, too, the weights follow each other, from element 3 − newest_ on.
+  /// Weights of the four instants, the oldest first, then of the three oldest again. `rates_` is a
+  /// ring. Thanks to the repetition, elements 3 − newest_ … 6 − newest_ are the weights in its
+  /// order.
   using Weights = std::array<double, 2 * instants - 1>;
   bool weigh(double h);
   struct Change;

@@ -29,11 +29,11 @@ struct EarlierPoint {
 bool turns_twice(const SolutionCurve& curve, const SolutionCurve::Point& from,
                  const SolutionCurve::Point& to, double length, double direction);
 
-/// Finds the dead point in a step at whose end the driver goes back. The driver's value is
-/// stationary there, so it is known far better than the position. Returns nothing if it cannot be
-/// bracketed to the accuracy.
+/// Finds the dead point in a step at whose end the driver goes back. The step must exist. At the
+/// dead point the driver's value is stationary: it is known far better than the position. Returns
+/// nothing if the value cannot be bracketed to RangeLimits::accuracy.
 /// - from, length: start and arc of the step
-/// - far: a point before it; its arc leads to `from`
+/// - far: a point before `from`; far.arc leads to `from`
 /// - direction: of the driver before the dead point, 1 or −1
 std::optional<DeadPoint> find_dead_point(const Model& model, SolutionCurve& curve,
                                          const SolutionCurve::Point& from, const EarlierPoint& far,

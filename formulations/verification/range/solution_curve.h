@@ -62,10 +62,11 @@ class SolutionCurve {
   /// direction.
   static Point reversed(Point point);
 
-  /// Magnitudes of Lagrange multipliers, of rows divided by their sums, for a unit force on the
-  /// driver.
+  /// Magnitudes of the Lagrange multipliers that hold a force on the driver. Rows of Φ_q are
+  /// divided by the sums of their magnitudes.
   struct Forces {
-    std::vector<double> of_constraints;  ///< largest of each constraint, over the largest of all
+    /// Largest multiplier of each constraint, divided by the largest of all.
+    std::vector<double> of_constraints;
     double rounding;  ///< change of the driver's value that rounding of Φ may cause
   };
   /// Returns the forces at a point. At a dead point they tell what stops the driver. If B is
