@@ -63,6 +63,7 @@ struct PeerDefinition {
   std::unique_ptr<Peer> (*make)(const Scene& scene, const Model& model);
   /// Prediction with which its steps start: quadratic is q + q̇ h + q̈ h²/2 of the last instant.
   Guess guess = Guess::quadratic;
+  bool is_by_hand = false;  ///< written for the cases alone, without a library of mechanisms
 };
 
 /// Returns the peers of this build: those written by hand and, configured with DESMO_PEERS,

@@ -39,9 +39,10 @@ extern const PeerDefinition ceres_peer;
 
 std::span<const PeerDefinition> peers() {
   static const std::vector<PeerDefinition> table{
-      {"tree", by_hand, &version_of_eigen, tree_method, &make_tree<Guess::quadratic>},
+      {"tree", by_hand, &version_of_eigen, tree_method, &make_tree<Guess::quadratic>,
+       Guess::quadratic, true},
       {"tree_adams8", by_hand, &version_of_eigen, tree_method, &make_tree<Guess::adams8>,
-       Guess::adams8},
+       Guess::adams8, true},
 #ifdef DESMO_PEERS
       simbody_peers[0],
       simbody_peers[1],

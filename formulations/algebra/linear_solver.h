@@ -19,8 +19,9 @@ class LinearSolver {
   LinearSolver& operator=(const LinearSolver&) = delete;
   virtual ~LinearSolver() = default;
 
-  /// Factorises A. values: (entries of the pattern), read until the last solve() with these
-  /// factors. Returns false when A is singular by the library's own limit, which is zero for some.
+  /// Factorises A. values: (entries of the pattern), by columns as Pattern has them, read until the
+  /// last solve() with these factors. Returns false when A is singular by the library's own limit,
+  /// which is zero for some. No solve() follows then until another factor() succeeds.
   virtual bool factor(const double* values) = 0;
 
   /// Overwrites b (n) with A⁻¹ b, using the last factors.
