@@ -11,8 +11,8 @@
 #include "formulations/model/misfit.h"
 #include "formulations/model/whole_turns.h"
 #include "formulations/verification/branch/branch_path.h"
+#include "formulations/verification/branch/continuation.h"
 #include "formulations/verification/branch/passage.h"
-#include "formulations/verification/branch/way.h"
 
 namespace desmo {
 
@@ -85,7 +85,7 @@ bool continue_drivers(const Model& m, double time, const Turns& left_out, FoundS
     found.share = 0;
     return false;
   }
-  if (!follow_way(going, true, found)) {
+  if (!follow_continuation(going, true, found)) {
     if (!found.out_of_tests) pass_at_start(m, going, time, found);
     return false;
   }
@@ -121,7 +121,7 @@ bool add_turns(const Model& m, const std::vector<double>& signs, double count,
   const std::span<const double> from = first.start_at({0, {nominal.q, {}, {}}})
                                            ? first.present().values.position
                                            : std::span<const double>(nominal.q);
-  if (!follow_way(going, true, found) || !is_back(m, from, found.q)) return false;
+  if (!follow_continuation(going, true, found) || !is_back(m, from, found.q)) return false;
   for (const Entity& e : m.entities)
     if (!e.fixed && e.kind == EntityKind::angle)
       of_coordinates[e.first] += count * std::round((found.q[e.first] - from[e.first]) / turn);
@@ -177,7 +177,7 @@ FoundStart find_start(const Model& m, double time) {
   if (!drawing.proven) {
     found.group = drawing.group;
     begin_at_drawing(at_drawing);
-    if (!follow_way(at_drawing, false, found)) {
+    if (!follow_continuation(at_drawing, false, found)) {
       found.stage = Stage::drawing;
       return found;
     }

@@ -1,4 +1,4 @@
-#include "formulations/verification/branch/way.h"
+#include "formulations/verification/branch/continuation.h"
 
 #include <algorithm>
 #include <memory>
@@ -15,7 +15,7 @@ namespace desmo {
 /// The loop ends: each round but the last chooses other equations at a new place, or passes a
 /// change point. Each round in which a path has begun counts as at least one test of the budget.
 /// All passages share another budget.
-bool follow_way(const Model& m, bool may_pass, FoundStart& found) {
+bool follow_continuation(const Model& m, bool may_pass, FoundStart& found) {
   std::unique_ptr<const Model> chosen;  // the model with other equations; null: m itself
   auto path = std::make_unique<BranchPath>(m);
   const auto model = [&]() -> const Model& { return chosen ? *chosen : m; };

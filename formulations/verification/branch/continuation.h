@@ -10,6 +10,6 @@ namespace desmo {
 /// - may_pass: change points are passed, and added to found.passed
 /// - found: in, the positions at which the way begins; out, the last proven ones, the share, the
 ///   group, and whether tests ran out
-bool follow_way(const Model& model, bool may_pass, FoundStart& found);
+bool follow_continuation(const Model& model, bool may_pass, FoundStart& found);
 
 }  // namespace desmo
