@@ -58,10 +58,10 @@ std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, doub
     for (int knots = 0; is_bounded; ++knots) {
       const bool is_last = way < 0 ? p == 0 : p == table.count - 1;
       const Derived far = table.distance(way < 0 ? p : p + 1, t, at);
-      const double room = way * far.value - rest_of(far);
-      if (room > reach) break;
+      const double to_knot = way * far.value - rest_of(far);
+      if (to_knot > reach) break;
       if (is_last && !table.repeats) {
-        is_bounded = reach <= room + table_margin * table.length.value;
+        is_bounded = reach <= to_knot + table_margin * table.length.value;
         break;
       }
       is_bounded = knots < max_knots;
