@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "cases/mechanism/joint_forms.h"
@@ -11,24 +12,26 @@ namespace desmo {
 
 namespace {
 
-/// Returns how a body turns that hangs on another one by a joint of a type; nullopt: joints of that
-/// type are cut.
-std::optional<Turn> turn_by(Mechanism::JointType type, int dimension) {
+/// Turn by which a body may hang at a type of joint. A joint without a row is always cut.
+struct TreeForm {
+  Mechanism::JointType type;
+  int dimension;
+  Turn turn;
+};
+
+std::span<const TreeForm> tree_forms() {
   using enum Mechanism::JointType;
-  switch (type) {
-    case prismatic:
-      return Turn::none;
-    case revolute:
-    case revolute_on_slider:
-    case cylindrical:
-      return dimension == 2 ? Turn::in_plane : Turn::about_axis;
-    case universal:
-      return Turn::about_two_axes;
-    case spherical:
-      return Turn::freely;
-    default:
-      return std::nullopt;
-  }
+  static constexpr TreeForm table[]{
+      {revolute, 2, Turn::in_plane},
+      {prismatic, 2, Turn::none},
+      {revolute_on_slider, 2, Turn::in_plane},
+      {revolute, 3, Turn::about_axis},
+      {prismatic, 3, Turn::none},
+      {cylindrical, 3, Turn::about_axis},
+      {universal, 3, Turn::about_two_axes},
+      {spherical, 3, Turn::freely},
+  };
+  return table;
 }
 
 class TreeMaker {
@@ -102,8 +105,11 @@ class TreeMaker {
   std::optional<Turn> turn_of(const Mechanism::Joint& j, int body, int parent) const {
     // Bodies with the same axes have them as drawn: neither may have a shape of its own.
     const bool has_shape = rigid_.list[body].has_shape() || rigid_.list[parent].has_shape();
-    const std::optional<Turn> turn = turn_by(j.type, mechanism_.dimension);
-    return (turn == Turn::none && has_shape) || !is_drawn_to_hang(j) ? std::nullopt : turn;
+    for (const TreeForm& form : tree_forms())
+      if (form.type == j.type && form.dimension == mechanism_.dimension &&
+          !(form.turn == Turn::none && has_shape) && is_drawn_to_hang(j))
+        return form.turn;
+    return std::nullopt;
   }
 
   /// Returns false for universal joints that are not drawn at a right angle, and for planar sliding
