@@ -101,8 +101,8 @@ class NewtonSolverOf final : public Part {
 
   // ---- The paper's Fig. 2b ----
 
-  /// Newton's method: repeats φ ← φ − Φ_φ⁻¹ Φ until Φ is accepted, the iterations are spent, or Φ is
-  /// not finite. Takes back a correction by old factors that led away.
+  /// Newton's method: repeats φ ← φ − Φ_φ⁻¹ Φ until Φ is accepted, the iterations are spent, or Φ
+  /// is not finite. Takes back a correction by old factors that led away.
   template <class Chosen>
   PartResult position(double* q, Chosen& frames) {
     PartResult result;
