@@ -88,7 +88,7 @@ TEST(Gaps, EndWhereExactPositionsDoWhateverTheTolerance) {
   }
 }
 
-/// Those of all instants are a failure.
+/// A gap of all instants is a failure.
 TEST(Gaps, MayLastUntilTheEnd) {
   for (const TimeGrid& grid : {TimeGrid{0, 0.01, 30}, {0.2, 0.01, 10}}) {
     const CheckedSummary s = solve_checked(overswinging, grid, "block_automatic_lapack",

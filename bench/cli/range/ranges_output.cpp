@@ -19,7 +19,7 @@ struct StopText {
   const char *name, *text;
 };
 
-/// By RangeStop. Some texts depend on the end (sentence()).
+/// Names and texts in the order of RangeStop. sentence() replaces texts that depend on the end.
 constexpr StopText stops[] = {
     {"dead_point", "locks, known within "},
     {"full_turn", "turns fully"},
