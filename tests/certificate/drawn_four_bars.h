@@ -99,7 +99,7 @@ struct DrawnFourBar {
   }
   /// Goes on from a passed point, and compares with the closed form.
   void expect_continued(const Model& m, PassedPoint& point, bool passes) const {
-    EXPECT_LE(joint_distance(m, point.find_positions(m, 0), joint_on_point()), 1e-7);
+    EXPECT_LE(joint_distance(m, positions_on(point, m, 0), joint_on_point()), 1e-7);
     BranchPath path(m);
     ASSERT_TRUE(path.start_at(point.beyond()));
     for (const double t : {0.25, 0.5, 1.0}) {

@@ -50,7 +50,7 @@ TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
   StuckPath path(both, -1, 1);
   auto point = pass_change_point(both, path.present());
   ASSERT_TRUE(point);
-  EXPECT_LE(skew(both, point->find_positions(both, 0)), 1e-12);
+  EXPECT_LE(skew(both, positions_on(*point, both, 0)), 1e-12);
   ASSERT_TRUE(path.start_at(point->beyond()));
   ASSERT_EQ(path.go_to(1).end, PathEnd::same);
   EXPECT_LE(skew(both, path.present().values.position), 1e-12);

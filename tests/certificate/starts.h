@@ -14,6 +14,7 @@
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/passage.h"
+#include "formulations/verification/branch/straight_path.h"
 #include "tests/certificate/containment.h"
 #include "tests/properties/continuation.h"
 
@@ -41,6 +42,12 @@ struct StuckPath : BranchPath {
     EXPECT_EQ(go_to(to).end, PathEnd::stuck) << m.name;
   }
 };
+
+/// Returns the positions on a passed point of a model at a time.
+inline std::vector<double> positions_on(PassedPoint& point, const Model& m, double time) {
+  StraightPath path(m);
+  return point.find_positions(path, time);
+}
 
 /// Returns the largest distance of two positions, without whole turns of angles.
 inline double position_distance(const Model& m, const std::vector<double>& a,

@@ -164,8 +164,8 @@ bool PassedPoint::move_line_to(std::span<const double> z, StraightPath& path) {
   return true;
 }
 
-std::vector<double> PassedPoint::find_positions(const Model& m, double at) {
-  StraightPath path(m);
+std::vector<double> PassedPoint::find_positions(StraightPath& path, double at) {
+  const Model& m = path.model();
   const std::vector<double> z = drivers_at(m, at).position;
   if (!move_line_to(z, path)) return {};
   const double s = line.arc(z) / width, end = std::clamp(s, -1., 1.);

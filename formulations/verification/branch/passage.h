@@ -26,9 +26,9 @@ struct PassedPoint {
   CertifiedInstant beyond() const { return first.view(); }
   /// Finds positions of all coordinates at a time [s] between `after` and `before`, where no
   /// instant is proven and rates have no digits. Shifts line and polynomials to the values that the
-  /// other drivers have then. Returns nothing if no proven path leads the positions there. model:
-  /// the one that passes the point
-  std::vector<double> find_positions(const Model& model, double time);
+  /// other drivers have then. Returns nothing if no proven path leads the positions there.
+  /// - path: of the model that passes the point
+  std::vector<double> find_positions(StraightPath& path, double time);
 
  private:
   bool move_line_to(std::span<const double> drivers, StraightPath& path);

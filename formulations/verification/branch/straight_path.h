@@ -12,10 +12,13 @@ namespace desmo {
 /// paths share one memory.
 class StraightPath {
  public:
-  /// Copies the model. Paths do not follow its own motions.
-  explicit StraightPath(const Model& model) : straight_(model), path_(straight_) {}
+  /// The model must outlive this object. Paths do not follow its own motions.
+  explicit StraightPath(const Model& model) : m_(model), straight_(model), path_(straight_) {}
+  explicit StraightPath(const Model&& model) = delete;
   StraightPath(const StraightPath&) = delete;
   StraightPath& operator=(const StraightPath&) = delete;
+
+  const Model& model() const { return m_; }
 
   /// Leads positions q (coordinates) from driver values `from` to `to` (drivers). Returns whether
   /// all the way is proven; if not, q does not change.
@@ -29,6 +32,7 @@ class StraightPath {
   const CertifiedInstant* find(const DriverLine& line, double s, std::span<const double> q);
 
  private:
+  const Model& m_;
   Model straight_;
   BranchPath path_;
 };

@@ -94,6 +94,7 @@ const CheckedInstant* CheckedMotion::take(const Instant& at, bool is_solved) {
     deliver(*refined);
     break;
   }
+  if (!state_.point) follower_->straight.reset();  // only rows on a change point need its memory
   complete_flag();
   return &result_;
 }

@@ -29,7 +29,9 @@ void CheckedMotion::deliver_path(const Instant& at) {
 /// Delivers the position on the change point, which has no rates. Returns whether it is known.
 bool CheckedMotion::deliver_point(const Instant& at) {
   PassedPoint& point = *state_.point;
-  on_point_ = point.find_positions(follower_->model, at.time);
+  std::unique_ptr<StraightPath>& path = follower_->straight;
+  if (!path) path = std::make_unique<StraightPath>(follower_->model);
+  on_point_ = point.find_positions(*path, at.time);
   if (on_point_.empty()) {
     step_.group = no_position;  // the group that is stuck now is not known
     return false;

@@ -7,6 +7,7 @@
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/left_out_equations.h"
 #include "formulations/verification/branch/start.h"
+#include "formulations/verification/branch/straight_path.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "formulations/verification/run/checked_run.h"
 
@@ -36,6 +37,8 @@ struct Follower {
   Refinement refinement;
   BranchPath path;
   LeftOutEquations left_out;
+  /// Finds positions on a change point. Null: the motion is on none, or no row has needed it yet.
+  std::unique_ptr<StraightPath> straight{};
 };
 
 /// Returns the flag of the first row, at a time [s]. The way to it from the drawing passed a change
