@@ -38,6 +38,7 @@
 
 #include "formulations/constraints/coordinates.h"
 #include "formulations/constraints/joints.h"
+#include "formulations/constraints/kinds.h"
 #include "formulations/constraints/planar_angles.h"
 #include "formulations/constraints/rigid_body.h"
 #include "formulations/constraints/rotations.h"
@@ -111,9 +112,6 @@ using ConstraintKinds = std::tuple<
     PlanarBearingFrom<Between::lines_at_point>, Coupling<2>, Coupling<3>, Coupling<4>,
     TableCoupling, Dot<2>, Unit<4>, Turned<1>, Turned<-1>, Cross, EulerAxis<0>, EulerAxis<1>,
     EulerAxisOn<0>, EulerAxisOn<1>>;
-
-/// Largest number of components of an operand: those of an orientation.
-inline constexpr int max_components = 4;
 
 inline constexpr int constraint_kind_count = std::tuple_size_v<ConstraintKinds>;
 

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "formulations/constraints/constraints.h"
 #include "formulations/model/characteristic_lengths.h"
-#include "formulations/model/incidence.h"
+#include "formulations/model/constraint_at.h"
 #include "formulations/model/scales.h"
 
 namespace desmo {
@@ -28,39 +27,35 @@ double reach(const Model& m, EntityId e, const double* x, double length) {
 }
 
 /// Magnitude and rounding error of each row of a constraint.
-template <std::size_t rows>
 struct RowSizes {
-  std::array<double, rows> magnitude{};
-  std::array<double, rows> rounding{};  // u Σⱼ |∂Φ/∂qⱼ| |qⱼ|, u = 2⁻⁵³
+  std::array<double, max_rows> magnitude{};
+  std::array<double, max_rows> rounding{};  // u Σⱼ |∂Φ/∂qⱼ| |qⱼ|, u = 2⁻⁵³
 };
 
 /// Returns magnitude and rounding error of the rows of a constraint. length: its characteristic
 /// length.
-template <class Kind>
-RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
-                               const std::vector<double>& state, double length) {
-  constexpr std::size_t operands = Kind::operand_sizes.size();
+RowSizes row_sizes(const Model& m, const Constraint& c, const std::vector<double>& state,
+                   double length) {
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
-  std::array<double, operands> size, change;
-  std::array<std::array<double, max_components>, operands>
+  std::array<double, max_operands> size, change;
+  std::array<std::array<double, max_components>, max_operands>
       move;  // displacement of each operand, signs alternating
-  const auto x = operands_of<Kind>(m, c, state.data());
-  std::array<const double*, operands> v;
-  for (std::size_t k = 0; k < operands; ++k) {
-    change[k] = unit_roundoff * reach(m, c.operands[k], x[k], length);
+  const ConstraintAt<double> at(m, c, state.data());
+  std::array<const double*, max_operands> v{};
+  for (std::size_t k = 0; k < c.operands.size(); ++k) {
+    change[k] = unit_roundoff * reach(m, c.operands[k], at.x[k], length);
     size[k] = is_length(m.entities[c.operands[k]].kind) ? length : 1;
-    move[k].fill((k % 2 == 0 ? size[k] : -size[k]) / std::sqrt(Kind::operand_sizes[k]));
+    move[k].fill((k % 2 == 0 ? size[k] : -size[k]) / std::sqrt(at.kind.operand_sizes[k]));
     v[k] = move[k].data();
   }
-  RowSizes<Kind::rows> result;
-  std::array<double, Kind::rows> second;
-  const auto numbers = dimensions_at<Kind>(c, x.data());
-  Kind::jacobian(x.data(), numbers.data(), [&](int row, int operand, int, double value) {
+  RowSizes result;
+  std::array<double, max_rows> second;
+  at.jacobian([&](int row, int operand, int, double value) {
     result.magnitude[row] = std::hypot(result.magnitude[row], value * size[operand]);
     result.rounding[row] += std::abs(value) * change[operand];
   });
-  Kind::quadratic(x.data(), v.data(), numbers.data(), second.data());
-  for (int row = 0; row < Kind::rows; ++row) {
+  at.quadratic(v, second.data());
+  for (int row = 0; row < at.kind.rows; ++row) {
     double& magnitude = result.magnitude[row];
     magnitude = std::max(magnitude, min_share * std::abs(second[row]) / 2);
     if (!(magnitude > 0) || !std::isfinite(magnitude)) magnitude = 1;
@@ -76,11 +71,9 @@ Magnitudes::Magnitudes(const Model& m) {
   of_coordinate_ = lengths.of_coordinates();
   for (const Constraint& c : m.constraints) {
     first_row_.push_back(static_cast<int>(magnitude_.size()));
-    visit_kind(c.kind, [&](auto kind) {
-      const auto [rows, rounded] = row_sizes(kind, m, c, state, lengths.of(c));
-      magnitude_.insert(magnitude_.end(), rows.begin(), rows.end());
-      rounding_.insert(rounding_.end(), rounded.begin(), rounded.end());
-    });
+    const auto [magnitude, rounding] = row_sizes(m, c, state, lengths.of(c));
+    magnitude_.insert(magnitude_.end(), magnitude.begin(), magnitude.begin() + rows(c));
+    rounding_.insert(rounding_.end(), rounding.begin(), rounding.begin() + rows(c));
   }
 }
 

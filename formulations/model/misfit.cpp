@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "formulations/constraints/constraints.h"
-#include "formulations/model/incidence.h"
+#include "formulations/model/constraint_at.h"
 
 namespace desmo {
 
@@ -17,10 +16,7 @@ DisplayUnit Misfit::unit(const DisplayUnits& units) const {
 std::vector<double> residual_of(const Model& m, const Constraint& c,
                                 std::span<const double> state) {
   std::vector<double> phi(rows(c));
-  visit_kind(c.kind, [&]<class Kind>(Kind) {
-    const auto x = operands_of<Kind>(m, c, state.data());
-    Kind::residual(x.data(), dimensions_at<Kind>(c, x.data()).data(), phi.data());
-  });
+  ConstraintAt<double>(m, c, state.data()).residual(phi.data());
   return phi;
 }
 
@@ -28,29 +24,25 @@ Misfit misfit_of(const Model& m, int constraint, int row, double residual,
                  std::span<const double> state) {
   const Constraint& c = m.constraints[constraint];
   Misfit result{.constraint = constraint};
-  visit_kind(c.kind, [&]<class Kind>(Kind) {
-    const auto x = operands_of<Kind>(m, c, state.data());
-    // norm of the derivatives by each operand
-    std::array<double, Kind::operand_sizes.size()> slope{};
-    Kind::jacobian(x.data(), dimensions_at<Kind>(c, x.data()).data(),
-                   [&](int r, int operand, int, double value) {
-                     if (r == row) slope[operand] = std::hypot(slope[operand], value);
-                   });
-    double chosen = 0;  // slope by the operand that would have to change
-    // {it is a length, its slope} of that operand: a length goes before all others
-    std::pair steepest{false, 0.};
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      const EntityKind kind = m.entities[c.operands[k]].kind;
-      // An angle is often as steep as a direction: rounding must not choose the unit.
-      const double first = kind == EntityKind::angle ? 1 + 0x1p-20 : 1;
-      const std::pair steepness{is_length(kind), slope[k] * first};
-      if (!(slope[k] > 0 && steepness > steepest)) continue;
-      steepest = steepness;
-      result.kind = kind;
-      chosen = slope[k];
-    }
-    result.amount = std::abs(residual) / chosen;
+  // norm of the derivatives by each operand
+  std::array<double, max_operands> slope{};
+  ConstraintAt<double>(m, c, state.data()).jacobian([&](int r, int operand, int, double value) {
+    if (r == row) slope[operand] = std::hypot(slope[operand], value);
   });
+  double chosen = 0;  // slope by the operand that would have to change
+  // {it is a length, its slope} of that operand: a length goes before all others
+  std::pair steepest{false, 0.};
+  for (std::size_t k = 0; k < c.operands.size(); ++k) {
+    const EntityKind kind = m.entities[c.operands[k]].kind;
+    // An angle is often as steep as a direction: rounding must not choose the unit.
+    const double first = kind == EntityKind::angle ? 1 + 0x1p-20 : 1;
+    const std::pair steepness{is_length(kind), slope[k] * first};
+    if (!(slope[k] > 0 && steepness > steepest)) continue;
+    steepest = steepness;
+    result.kind = kind;
+    chosen = slope[k];
+  }
+  result.amount = std::abs(residual) / chosen;
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "cases/mechanism/names.h"
-#include "formulations/constraints/constraints.h"
+#include "formulations/constraints/kinds.h"
 #include "formulations/model/partition.h"
 
 namespace desmo {
@@ -119,14 +119,12 @@ void Model::drive(EntityId coordinate, Motion motion) {
 
 void Model::add(Constraint constraint) {
   const std::string where = "constraint '" + constraint.name + "'";
-  visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-    for (std::size_t k = 0; k < Kind::operand_sizes.size(); ++k) {
-      const Entity& e = entities.at(constraint.operands.at(k));
-      require(e.size == Kind::operand_sizes[k], where + ": '" + e.name + "' has " +
-                                                    std::to_string(e.size) + " components, not " +
-                                                    std::to_string(Kind::operand_sizes[k]));
-    }
-  });
+  const std::span<const int> sizes = description_of(constraint.kind).operand_sizes;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    const Entity& e = entities.at(constraint.operands.at(k));
+    require(e.size == sizes[k], where + ": '" + e.name + "' has " + std::to_string(e.size) +
+                                    " components, not " + std::to_string(sizes[k]));
+  }
   require(std::ranges::all_of(constraint.constants,
                               [](const Derived& c) { return std::isfinite(c.value); }),
           where + ": a dimension is not finite");
@@ -154,32 +152,20 @@ std::vector<bool> independent_coordinates(const Model& m) {
 
 std::vector<bool> coupled_angles(const Model& m) {
   std::vector<bool> coupled(m.entities.size(), false);
-  for (const Constraint& c : m.constraints)
-    visit_kind(c.kind, [&]<class Kind>(Kind) {
-      constexpr bool counts_turns = Kind::linear || has_table<Kind>;
-      for (const EntityId e : c.operands)
-        if (counts_turns && m.entities[e].kind == EntityKind::angle) coupled[e] = true;
-    });
+  for (const Constraint& c : m.constraints) {
+    const KindDescription& kind = description_of(c.kind);
+    if (!kind.linear && kind.table < 0) continue;
+    for (const EntityId e : c.operands)
+      if (m.entities[e].kind == EntityKind::angle) coupled[e] = true;
+  }
   return coupled;
 }
 
-std::string_view constraint_kind_name(int kind) {
-  std::string_view name;
-  visit_kind(kind, [&](auto tag) { name = decltype(tag)::name; });
-  return name;
-}
+std::string_view constraint_kind_name(int kind) { return description_of(kind).name; }
 
-int rows(const Constraint& constraint) {
-  int result = 0;
-  visit_kind(constraint.kind, [&](auto kind) { result = kind.rows; });
-  return result;
-}
+int rows(const Constraint& constraint) { return description_of(constraint.kind).rows; }
 
-bool is_linear(const Constraint& constraint) {
-  bool result = false;
-  visit_kind(constraint.kind, [&](auto kind) { result = kind.linear; });
-  return result;
-}
+bool is_linear(const Constraint& constraint) { return description_of(constraint.kind).linear; }
 
 int kept_rows(const Constraint& constraint) {
   return rows(constraint) - std::popcount(constraint.left_out);

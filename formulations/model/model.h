@@ -187,7 +187,7 @@ std::vector<bool> independent_coordinates(const Model& model);
 /// linear or by a table, relates it.
 std::vector<bool> coupled_angles(const Model& model);
 
-/// Returns the name of a kind of constraint, such as "distance2"; empty where kind is out of range.
+/// Returns the name of a kind of constraint, such as "distance2".
 std::string_view constraint_kind_name(int kind);
 
 /// Returns the number of scalar equations of a constraint, omitted ones included.

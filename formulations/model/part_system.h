@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formulations/base/index_range.h"
-#include "formulations/model/incidence.h"
+#include "formulations/model/constraint_at.h"
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
 
@@ -43,31 +43,27 @@ struct PartSystem {
     const int end = static_cast<int>(part_.equations.size());
     const int position = part_.equations[row].constraint;
     const Constraint& constraint = m_.constraints[position];
-    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      const auto x = operands_of<Kind>(m_, constraint, state_.q.data());
-      const auto v = operands_of<Kind>(m_, constraint, state_.qd.data());
-      const auto constants = dimensions_at<Kind>(constraint, x.data());
-      std::array<S, Kind::rows> all_phi, gamma;
-      Kind::residual(x.data(), constants.data(), all_phi.data());
-      Kind::quadratic(x.data(), v.data(), constants.data(), gamma.data());
-      std::array<int, Kind::rows> place;
-      place.fill(-1);
-      for (; row < end && part_.equations[row].constraint == position; ++row) {
-        const int r = part_.equations[row].row;
-        place[r] = row;
-        phi[row] = all_phi[r];
-        acceleration[row] -= gamma[r];
+    const ConstraintAt<S> at(m_, constraint, state_.q.data());
+    std::array<S, max_rows> all_phi, gamma;
+    at.residual(all_phi.data());
+    at.quadratic(operands_of(m_, constraint, state_.qd.data()), gamma.data());
+    std::array<int, max_rows> place;
+    place.fill(-1);
+    for (; row < end && part_.equations[row].constraint == position; ++row) {
+      const int r = part_.equations[row].row;
+      place[r] = row;
+      phi[row] = all_phi[r];
+      acceleration[row] -= gamma[r];
+    }
+    at.jacobian([&](int r, int operand, int i, const S& value) {
+      const int state = m_.state_index(constraint.operands[operand]) + i;
+      if (place[r] < 0) return;
+      if (const int j = position_in(part_.unknowns, state); j >= 0) {
+        jacobian[place[r] * n + j] = value;
+      } else {
+        velocity[place[r]] -= value * state_.qd[state];
+        acceleration[place[r]] -= value * state_.qdd[state];
       }
-      Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const S& value) {
-        const int at = m_.state_index(constraint.operands[operand]) + i;
-        if (place[r] < 0) return;
-        if (const int j = position_in(part_.unknowns, at); j >= 0) {
-          jacobian[place[r] * n + j] = value;
-        } else {
-          velocity[place[r]] -= value * state_.qd[at];
-          acceleration[place[r]] -= value * state_.qdd[at];
-        }
-      });
     });
     return row;
   }

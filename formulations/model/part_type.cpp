@@ -7,7 +7,7 @@
 #include <string>
 #include <tuple>
 
-#include "formulations/constraints/constraints.h"
+#include "formulations/constraints/kinds.h"
 
 namespace desmo {
 
@@ -32,13 +32,14 @@ PartType describe_type(const Model& m, const PartDefinition& part) {
   for (std::size_t i = 0; i < part.equations.size();) {
     const int position = part.equations[i].constraint;
     const Constraint& c = m.constraints[position];
+    const KindDescription& kind = description_of(c.kind);
     PartType::Constraint own{c.kind, {}, static_cast<int>(type.constants.size()), {}};
     for (; i < part.equations.size() && part.equations[i].constraint == position; ++i) {
       own.rows.push_back(part.equations[i].row);
       type.row_names.push_back(local_name(c.name));
     }
-    type.fingerprint += constraint_kind_name(c.kind);
-    if (static_cast<int>(own.rows.size()) < rows(c))
+    type.fingerprint += kind.name;
+    if (static_cast<int>(own.rows.size()) < kind.rows)
       for (const int row : own.rows) type.fingerprint += "." + std::to_string(row);
     type.fingerprint += '(';
     for (const EntityId id : c.operands) {
@@ -56,12 +57,10 @@ PartType describe_type(const Model& m, const PartDefinition& part) {
     // A right angle, or no offset, makes simpler code: which dimensions are zero belongs to the
     // type.
     std::size_t dimensions = c.constants.size();
-    visit_kind(c.kind, [&]<class Kind>(Kind) {
-      if constexpr (has_table<Kind>) {
-        type.fingerprint += 't' + std::to_string(dimensions - Kind::table) + ' ';
-        dimensions = Kind::table;
-      }
-    });
+    if (kind.table >= 0) {
+      type.fingerprint += 't' + std::to_string(dimensions - kind.table) + ' ';
+      dimensions = kind.table;
+    }
     for (std::size_t k = 0; k < dimensions; ++k)
       if (c.constants[k].value == 0) type.fingerprint += 'c' + std::to_string(k) + "=0 ";
     type.fingerprint.back() = ')';

@@ -1,6 +1,7 @@
 #include "formulations/model/partition.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -8,7 +9,7 @@
 #include <utility>
 
 #include "formulations/base/index_range.h"
-#include "formulations/model/incidence.h"
+#include "formulations/model/constraint_at.h"
 
 namespace desmo {
 
@@ -45,9 +46,12 @@ std::vector<PartDefinition> whole_groups(const Model& m) {
 /// Returns whether a constraint is explicit in the entity e that it derives: ∂Φ/∂e is diagonal with
 /// entries ±1. size: number of components of e.
 bool is_explicit(const Constraint& c, int size) {
+  static constexpr std::array<double, max_components> ones{1, 1, 1, 1};
+  std::array<const double*, max_operands> x;
+  x.fill(ones.data());
   bool result = true;
   int entries = 0;
-  visit_entries(c, [&](int row, int operand, int component, double value) {
+  ConstraintAt<double>(c, x).jacobian([&](int row, int operand, int component, double value) {
     if (operand != c.derives) return;
     ++entries;
     result = result && row == component && std::abs(value) == 1;

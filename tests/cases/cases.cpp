@@ -6,7 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "formulations/model/incidence.h"
+#include "formulations/constraints/constraints.h"
+#include "formulations/model/misfit.h"
 #include "tests/contains.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
@@ -80,12 +81,7 @@ TEST(TruckSuspension, NominalPositionSatisfiesEveryEquation) {
   const Model m = truck_model(2);
   const std::vector<double> state = state_at_estimate(m).q;
   for (const Constraint& c : m.constraints)
-    visit_kind(c.kind, [&]<class Kind>(Kind) {
-      const auto x = operands_of<Kind>(m, c, state.data());
-      double phi[Kind::rows];
-      Kind::residual(x.data(), dimensions_at<Kind>(c, x.data()).data(), phi);
-      for (const double r : phi) EXPECT_NEAR(r, 0, 1e-15) << c.name;
-    });
+    for (const double r : residual_of(m, c, state)) EXPECT_NEAR(r, 0, 1e-15) << c.name;
 }
 
 TEST(TruckSuspension, MotionIsTheDesigns) {

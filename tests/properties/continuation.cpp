@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulations/constraints/kind_functions.h"
 #include "formulations/model/part_system.h"
 #include "formulations/model/scales.h"
 

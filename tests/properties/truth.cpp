@@ -6,7 +6,8 @@
 #include <cmath>
 #include <span>
 
-#include "formulations/model/incidence.h"
+#include "formulations/constraints/kind_functions.h"
+#include "formulations/model/constraint_at.h"
 #include "tests/properties/assembled_drawing.h"
 
 namespace desmo::properties {
@@ -98,22 +99,20 @@ double largest_misfit(const Model& m, std::span<const double> q, bool of_all) {
   for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
     state.push_back(as<Quadruple>(m.fixed_value(i)));
   double largest = 0;
-  for (const Constraint& constraint : m.constraints)
-    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      const auto x = operands_of<Kind>(m, constraint, state.data());
-      const auto c = dimensions_at<Kind>(constraint, x.data());
-      std::array<Quadruple, Kind::rows> phi;
-      Kind::residual(x.data(), c.data(), phi.data());
-      std::array<double, Kind::rows> slope{};
-      Kind::jacobian(x.data(), c.data(), [&](int r, int operand, int, const Quadruple& value) {
-        const bool length = is_length(m.entities[constraint.operands[operand]].kind);
-        const double s = std::abs(static_cast<double>(value)) * (length ? size : 1);
-        slope[r] = std::max(slope[r], s);
-      });
-      for (int r = 0; r < Kind::rows; ++r)
-        if (of_all || constraint.left_out >> r & 1)
-          largest = std::max(largest, std::abs(static_cast<double>(phi[r])) / slope[r]);
+  for (const Constraint& constraint : m.constraints) {
+    const ConstraintAt<Quadruple> at(m, constraint, state.data());
+    std::array<Quadruple, max_rows> phi;
+    at.residual(phi.data());
+    std::array<double, max_rows> slope{};
+    at.jacobian([&](int r, int operand, int, const Quadruple& value) {
+      const bool length = is_length(m.entities[constraint.operands[operand]].kind);
+      const double s = std::abs(static_cast<double>(value)) * (length ? size : 1);
+      slope[r] = std::max(slope[r], s);
     });
+    for (int r = 0; r < at.kind.rows; ++r)
+      if (of_all || constraint.left_out >> r & 1)
+        largest = std::max(largest, std::abs(static_cast<double>(phi[r])) / slope[r]);
+  }
   return largest;
 }
 

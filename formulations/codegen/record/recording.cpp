@@ -57,13 +57,11 @@ RecordedPart record(const PartType& type, const std::vector<SamplePoint>& sample
   }
   std::vector<bool> in_table(type.constants.size());
   for (const PartType::Constraint& c : type.constraints)
-    visit_kind(c.kind, [&]<class Kind>(Kind) {
-      if constexpr (has_table<Kind>) {
-        const int first = c.first_constant + Kind::table;
-        std::fill_n(in_table.begin() + first, table_size(static_cast<int>(type.constants[first])),
-                    true);
-      }
-    });
+    if (const int table = description_of(c.kind).table; table >= 0) {
+      const int first = c.first_constant + table;
+      std::fill_n(in_table.begin() + first, table_size(static_cast<int>(type.constants[first])),
+                  true);
+    }
   std::vector<Expr> constants;
   for (std::size_t i = 0; i < type.constants.size(); ++i) {
     std::vector<double> values;
@@ -132,12 +130,11 @@ PartType without_names(PartType type) {
     input.name = "ukf"[static_cast<int>(input.role)] + std::to_string(i);
   }
   std::size_t row = 0;
-  for (std::size_t i = 0; i < type.constraints.size(); ++i)
-    visit_kind(type.constraints[i].kind, [&](auto kind) {
-      const std::string name = std::string(kind.name) + "#" + std::to_string(i);
-      for (std::size_t k = 0; k < type.constraints[i].rows.size(); ++k)
-        type.row_names[row++] = name;
-    });
+  for (std::size_t i = 0; i < type.constraints.size(); ++i) {
+    const std::string name =
+        std::string(constraint_kind_name(type.constraints[i].kind)) + "#" + std::to_string(i);
+    for (std::size_t k = 0; k < type.constraints[i].rows.size(); ++k) type.row_names[row++] = name;
+  }
   return type;
 }
 

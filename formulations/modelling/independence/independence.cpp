@@ -1,6 +1,5 @@
 #include "formulations/modelling/independence/independence.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -105,8 +104,7 @@ std::vector<std::string> sources(const Model& m, const GroupSystem& s, const Sel
     basis.col(k) = j.row(taken[k]).head(s.unknowns).transpose();
   std::vector<std::string> names;
   if (basis.size() == 0) return names;
-  const VectorXd weights =
-      basis.colPivHouseholderQr().solve(j.row(row).head(s.unknowns).transpose());
+  const VectorXd weights = smallest_correction(s, basis, j.row(row).head(s.unknowns).transpose());
   for (std::size_t k = 0; k < taken.size(); ++k) {
     const std::string& name = m.constraints[s.rows[taken[k]].first].name;
     if (std::abs(weights[k]) > dependent_below && (names.empty() || names.back() != name))

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "formulations/model/characteristic_lengths.h"
-#include "formulations/model/incidence.h"
+#include "formulations/model/constraint_at.h"
 #include "formulations/model/scales.h"
 
 namespace desmo {
@@ -79,21 +79,18 @@ Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem
   int row = 0;
   for (int c = s.first_constraint; c < s.end_constraint; ++c) {
     const Constraint& constraint = m_.constraints[c];
-    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      const auto x = operands_of<Kind>(m_, constraint, state.data());
-      const auto numbers = dimensions_at<Kind>(constraint, x.data());
-      Kind::residual(x.data(), numbers.data(), &phi[row]);
-      Kind::jacobian(x.data(), numbers.data(), [&](int r, int operand, int i, double value) {
-        const int at = m_.state_index(constraint.operands[operand]) + i;
-        const double scaled = value * scale_[at];
-        rounding[row + r] += ulps * std::abs(value * state[at]);
-        if (column_[at] >= 0)
-          jacobian(row + r, column_[at]) += scaled;
-        else
-          length[row + r] = std::hypot(length[row + r], scaled);
-      });
-      row += Kind::rows;
+    const ConstraintAt<double> at(m_, constraint, state.data());
+    at.residual(&phi[row]);
+    at.jacobian([&](int r, int operand, int i, double value) {
+      const int variable = m_.state_index(constraint.operands[operand]) + i;
+      const double scaled = value * scale_[variable];
+      rounding[row + r] += ulps * std::abs(value * state[variable]);
+      if (column_[variable] >= 0)
+        jacobian(row + r, column_[variable]) += scaled;
+      else
+        length[row + r] = std::hypot(length[row + r], scaled);
     });
+    row += at.kind.rows;
   }
   for (const int i : s.columns) column_[i] = -1;
   for (int i = 0; i < n; ++i) {

@@ -6,8 +6,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/model/characteristic_lengths.h"
-#include "formulations/model/incidence.h"
+#include "formulations/model/model.h"
 #include "formulations/model/scales.h"
 
 namespace desmo {
@@ -123,9 +124,8 @@ std::vector<int> RowSelector::preference(const GroupSystem& s) const {
   for (int c = s.first_constraint; c < s.end_constraint; ++c) {
     const Constraint& constraint = m_.constraints[c];
     std::vector<int> entries(rows(constraint), 0);
-    visit_entries(constraint, [&](int row, int operand, int, double) {
-      entries[row] += !m_.is_at_rest(constraint.operands[operand]);
-    });
+    for (const EntryPlace& e : description_of(constraint.kind).entries)
+      entries[e.row] += !m_.is_at_rest(constraint.operands[e.operand]);
     for (const int n : entries)
       ranks.emplace_back(constraint.derives < 0, !is_linear(constraint), n, constraint.source,
                          static_cast<int>(ranks.size()));

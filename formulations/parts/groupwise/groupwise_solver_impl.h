@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/constraints/kind_functions.h"
 #include "formulations/model/part_system.h"
 #include "formulations/parts/groupwise/dense_lu.h"
 #include "formulations/parts/groupwise/groupwise_solver.h"

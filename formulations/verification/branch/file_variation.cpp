@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
-#include "formulations/model/incidence.h"
+#include "formulations/model/constraint_at.h"
 
 namespace desmo {
 
@@ -68,7 +68,7 @@ class VariedDrawing {
   void vary_line(const Constraint& c) {
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       if constexpr (Kind::linear && Kind::constants == 1 && is_measured<Kind>) {
-        const std::array<const Derived*, 3> x = operands_of<Kind>(m_, c, state_.data());
+        const auto x = operands_of(m_, c, state_.data());
         if (c.constants[0].value == 0) return;
         const int first = m_.state_index(c.operands[2]);
         for (int i = 0; i < Kind::operand_sizes[2]; ++i)
@@ -85,7 +85,7 @@ class VariedDrawing {
   template <class Kind>
   void vary_dimensions(Constraint& c) const {
     std::array<Derived, Kind::constants> drawn;
-    Kind::measure(operands_of<Kind>(m_, c, state_.data()).data(), drawn.data());
+    Kind::measure(operands_of(m_, c, state_.data()).data(), drawn.data());
     bool is_drawn = true;
     for (int k = 0; k < Kind::constants; ++k) {
       const Derived off = drawn[k] - c.constants[k];
@@ -112,7 +112,7 @@ class VariedDrawing {
   /// is measured.
   template <class Kind>
   void vary_rows(Constraint& c) const {
-    const auto x = operands_of<Kind>(m_, c, state_.data());
+    const auto x = operands_of(m_, c, state_.data());
     std::array<Derived, Kind::rows> phi;
     Kind::residual(x.data(), c.constants.data(), phi.data());
     bool is_drawn = true;
@@ -156,7 +156,7 @@ class VariedDrawing {
   /// operands.
   template <class Kind>
   double reach(const Constraint& c) const {
-    const auto x = operands_of<Kind>(m_, c, state_.data());
+    const auto x = operands_of(m_, c, state_.data());
     double longest = 0;
     for (std::size_t k = 0; k < x.size(); ++k)
       for (std::size_t other = 0; other <= k; ++other) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cases/numbers/compensated.h"
-#include "formulations/constraints/constraints.h"
+#include "formulations/constraints/kind_functions.h"
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/modelling/independence/linearisation.h"
 #include "formulations/verification/branch/file_variation.h"
@@ -37,26 +37,23 @@ std::vector<Equation> left_out_of(const Model& m) {
 template <class S>
 S value_of(const Model& m, const Equation& equation, const auto& coordinate) {
   const Constraint& c = m.constraints[equation.constraint];
-  S result;
-  visit_kind(c.kind, [&]<class Kind>(Kind) {
-    constexpr std::size_t operands = Kind::operand_sizes.size();
-    std::array<std::array<S, max_components>, operands> components;
-    std::array<const S*, operands> x;
-    for (std::size_t k = 0; k < operands; ++k) {
-      const Entity& e = m.entities[c.operands[k]];
-      for (int i = 0; i < e.size; ++i)
-        components[k][i] = e.fixed ? S(m.fixed_value(e.first + i)) : coordinate(e.first + i);
-      x[k] = components[k].data();
-    }
-    std::array<S, Kind::constants + 1> dimensions;
-    set_dimensions<Kind>(
-        dimensions, x.data(), [&](S& to, int k) { to = S(c.constants[k]); },
-        [&](int, int k) { return c.constants[k]; });
-    std::array<S, Kind::rows> phi;
-    Kind::residual(x.data(), dimensions.data(), phi.data());
-    result = phi[equation.row];
-  });
-  return result;
+  const KindDescription& kind = description_of(c.kind);
+  std::array<std::array<S, max_components>, max_operands> components;
+  std::array<const S*, max_operands> x{};
+  for (std::size_t k = 0; k < c.operands.size(); ++k) {
+    const Entity& e = m.entities[c.operands[k]];
+    for (int i = 0; i < e.size; ++i)
+      components[k][i] = e.fixed ? S(m.fixed_value(e.first + i)) : coordinate(e.first + i);
+    x[k] = components[k].data();
+  }
+  std::array<S, max_constants> constants;
+  for (int k = 0; k < (kind.table < 0 ? kind.constants : kind.table); ++k)
+    constants[k] = S(c.constants[k]);
+  if (kind.table >= 0)
+    set_table_constants(constants.data(), x.data(), [&](int, int k) { return c.constants[k]; });
+  std::array<S, max_rows> phi;
+  KindFunctions<S>::residual(c.kind, x.data(), constants.data(), phi.data());
+  return phi[equation.row];
 }
 
 }  // namespace

@@ -43,16 +43,17 @@ struct BlockEquations::FunctionsOf {
     to.c[0] = o.path_constants[k].value;
     to.rest = o.path_constants[k].radius;
   }
-  /// Sets the constants of a kind at operands x (set_dimensions()).
+  /// Sets the constants of a kind at operands x.
   template <class S>
   static void set_constants(Constants<S>& c, const Object& o, const S* const* x) {
     constexpr bool is_path = std::is_same_v<S, PathValue> || std::is_same_v<S, PathSlope>;
-    set_dimensions<Kind>(
-        c, x, [&](S& to, int k) { assign(to, o, k); },
-        [&](int lane, int k) {
-          const Compensated<LaneNumbers>& n = (is_path ? o.path_constants : o.constants)[k];
-          return Derived(n.value[lane], {n.correction[lane], n.radius[lane]});
-        });
+    for (int k = 0; k < (has_table<Kind> ? int{TableCoupling::table} : int{Kind::constants}); ++k)
+      assign(c[k], o, k);
+    if constexpr (has_table<Kind>)
+      set_table_constants(c.data(), x, [&](int lane, int k) {
+        const Compensated<LaneNumbers>& n = (is_path ? o.path_constants : o.constants)[k];
+        return Derived(n.value[lane], {n.correction[lane], n.radius[lane]});
+      });
   }
 
   /// Operands and constants in the scalar S. make(i) returns local state i in it.

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <set>
 
-#include "formulations/constraints/constraints.h"
 #include "formulations/model/incidence.h"
 
 namespace desmo {
@@ -49,11 +48,7 @@ class ShapeBuilder {
     for (std::size_t row = 0; row < part_.equations.size(); ++row)
       if (part_.equations[row].constraint == position)
         o.rows[part_.equations[row].row] = static_cast<int>(row);
-    visit_kind(c.kind, [&]<class Kind>(Kind) {
-      static_assert(Kind::operand_sizes.size() <= BlockShape::max_operands &&
-                    Kind::rows <= BlockShape::max_rows);
-      block_.shape.linear &= Kind::linear;
-    });
+    block_.shape.linear &= is_linear(c);
     block_.constants.insert(block_.constants.end(), c.constants.begin(), c.constants.end());
     const std::size_t object = block_.shape.objects.size();
     visit_incidence(m_, c, [&](int row, int state) {

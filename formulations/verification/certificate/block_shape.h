@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cases/numbers/derived.h"
+#include "formulations/constraints/kinds.h"
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
 
@@ -15,8 +16,6 @@ namespace desmo {
 /// reads are its local states, numbered by first appearance. Columns of Jacobians are the n
 /// unknowns, then the m inputs: coordinates that other blocks or drivers determine.
 struct BlockShape {
-  static constexpr int max_operands = 5, max_rows = 3;
-
   /// A constraint, some or all of whose equations belong to the block.
   struct Object {
     int kind;

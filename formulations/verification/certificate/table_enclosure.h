@@ -98,31 +98,24 @@ const S& value_of(const Jet<S>& x) {
   return x.value;
 }
 
-/// Sets the constants c that the functions of a kind take at positions x, in any scalar of proofs.
-/// In place of a table, c has the table's argument ξ and an enclosure of the cubic about ξ.
-/// - assign(to, k): sets a scalar to number k of the constraint
-/// - number(lane, k): returns number k of the constraint in a lane
-template <class Kind, class S, class Assign, class Number>
-void set_dimensions(std::array<S, Kind::constants + 1>& c, const S* const* x, const Assign& assign,
-                    const Number& number) {
-  if constexpr (has_table<Kind>) {
-    for (int k = 0; k < Kind::table; ++k) assign(c[k], k);
-    const auto argument = value_of(c[1]) * value_of(x[1][0]);
-    const auto& at = lead(argument);
-    constexpr int lanes =
-        std::is_same_v<std::decay_t<decltype(at)>, double> ? 1 : int{LaneNumbers::count};
-    std::decay_t<decltype(argument)> centre;
-    for (int lane = 0; lane < lanes; ++lane) set_lane(centre, lane, Derived(in_lane(at, lane)));
-    const auto distance = (argument - centre).magnitude();
-    c[3] = centre;
-    for (int lane = 0; lane < lanes; ++lane) {
-      const std::array<Derived, 4> a =
-          enclose_table([&](int k) { return number(lane, Kind::table + k); }, in_lane(at, lane),
-                        in_lane(distance, lane));
-      for (int k = 0; k < 4; ++k) set_lane(c[4 + k], lane, a[k]);
-    }
-  } else {
-    for (int k = 0; k < Kind::constants; ++k) assign(c[k], k);
+/// Sets the constants c that the functions of TableCoupling take at positions x, in any scalar of
+/// proofs. In place of the table, c has its argument ξ and an enclosure of the cubic about ξ.
+/// c[0 … 2]: set already. number(lane, k): returns number k of the constraint in a lane
+template <class S, class Number>
+void set_table_constants(S* c, const S* const* x, const Number& number) {
+  const auto argument = value_of(c[1]) * value_of(x[1][0]);
+  const auto& at = lead(argument);
+  constexpr int lanes =
+      std::is_same_v<std::decay_t<decltype(at)>, double> ? 1 : int{LaneNumbers::count};
+  std::decay_t<decltype(argument)> centre;
+  for (int lane = 0; lane < lanes; ++lane) set_lane(centre, lane, Derived(in_lane(at, lane)));
+  const auto distance = (argument - centre).magnitude();
+  c[3] = centre;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const std::array<Derived, 4> a =
+        enclose_table([&](int k) { return number(lane, TableCoupling::table + k); },
+                      in_lane(at, lane), in_lane(distance, lane));
+    for (int k = 0; k < 4; ++k) set_lane(c[4 + k], lane, a[k]);
   }
 }
 

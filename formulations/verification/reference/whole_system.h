@@ -4,26 +4,28 @@
 #include <span>
 #include <vector>
 
-#include "formulations/constraints/constraints.h"
 #include "formulations/constraints/jet.h"
-#include "formulations/model/incidence.h"
+#include "formulations/constraints/kind_functions.h"
+#include "formulations/model/constraint_at.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
 
-/// Returns the constants that the functions of a kind take for jets x: those at the values of x, as
-/// jets that are constant in time.
-template <class Kind, class S>
-auto dimensions_at(const Constraint& constraint, const Jet<S>* const* x) {
-  std::array<std::array<S, max_components>, Kind::operand_sizes.size()> values;
-  std::array<const S*, Kind::operand_sizes.size()> at;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    for (int i = 0; i < Kind::operand_sizes[k]; ++i) values[k][i] = x[k][i].value;
+/// Returns the constants that the functions of a constraint's kind take for jets x: those at the
+/// values of x, as jets that are constant in time.
+template <class S>
+std::array<Jet<S>, max_constants> dimensions_at(const Constraint& constraint,
+                                                const Jet<S>* const* x) {
+  const KindDescription& kind = description_of(constraint.kind);
+  std::array<std::array<S, max_components>, max_operands> values;
+  std::array<const S*, max_operands> at{};
+  for (std::size_t k = 0; k < kind.operand_sizes.size(); ++k) {
+    for (int i = 0; i < kind.operand_sizes[k]; ++i) values[k][i] = x[k][i].value;
     at[k] = values[k].data();
   }
-  const auto still = dimensions_at<Kind>(constraint, at.data());
-  std::array<Jet<S>, Kind::constants + 1> all{};
-  for (std::size_t k = 0; k < Kind::constants; ++k) all[k] = Jet<S>(still[k]);
+  const std::array<S, max_constants> still = dimensions_at(constraint, at.data());
+  std::array<Jet<S>, max_constants> all{};
+  for (int k = 0; k < kind.constants; ++k) all[k] = Jet<S>(still[k]);
   return all;
 }
 
@@ -50,15 +52,13 @@ class WholeSystem {
   template <class S>
   void residual(std::span<const S> state, std::span<S> phi) const {
     int row = 0;
-    for (const Constraint& constraint : m_.constraints)
-      visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-        const auto x = operands_of<Kind>(m_, constraint, state.data());
-        const auto constants = dimensions_at<Kind>(constraint, x.data());
-        std::array<S, Kind::rows> all;
-        Kind::residual(x.data(), constants.data(), all.data());
-        for (int r = 0; r < Kind::rows; ++r)
-          if (!(constraint.left_out >> r & 1)) phi[row++] = all[r];
-      });
+    for (const Constraint& constraint : m_.constraints) {
+      const ConstraintAt<S> at(m_, constraint, state.data());
+      std::array<S, max_rows> all;
+      at.residual(all.data());
+      for (int r = 0; r < at.kind.rows; ++r)
+        if (!(constraint.left_out >> r & 1)) phi[row++] = all[r];
+    }
   }
 
   /// Calls entry(row, component, ∂Φ_row/∂component) for each entry, always in the same order.
@@ -66,17 +66,14 @@ class WholeSystem {
   template <class S, class Entry>
   void jacobian(std::span<const S> state, Entry&& entry) const {
     int row = 0;
-    for (const Constraint& constraint : m_.constraints)
-      visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-        const auto x = operands_of<Kind>(m_, constraint, state.data());
-        const auto constants = dimensions_at<Kind>(constraint, x.data());
-        std::array<int, Kind::rows> place;
-        for (int r = 0; r < Kind::rows; ++r) place[r] = constraint.left_out >> r & 1 ? -1 : row++;
-        Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const S& value) {
-          if (place[r] >= 0)
-            entry(place[r], m_.state_index(constraint.operands[operand]) + i, value);
-        });
+    for (const Constraint& constraint : m_.constraints) {
+      const ConstraintAt<S> at(m_, constraint, state.data());
+      std::array<int, max_rows> place;
+      for (int r = 0; r < at.kind.rows; ++r) place[r] = constraint.left_out >> r & 1 ? -1 : row++;
+      at.jacobian([&](int r, int operand, int i, const S& value) {
+        if (place[r] >= 0) entry(place[r], m_.state_index(constraint.operands[operand]) + i, value);
       });
+    }
   }
 
  private:
