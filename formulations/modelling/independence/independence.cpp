@@ -32,13 +32,13 @@ VectorXd minimise_residual(std::vector<double>& state, const GroupSystem& s,
   constexpr double max_residual = 1e-12;  // relative |Φ| ≤ this: Φ vanishes
   for (int iteration = 0;; ++iteration) {
     const Linearisation now = lineariser.at(state, s);
-    const VectorXd off = now.relative_phi();
-    if (iteration == max_iterations || !off.allFinite() ||
-        !(off.lpNorm<Eigen::Infinity>() > max_residual))
-      return off;
+    const VectorXd residual = now.relative_phi();
+    if (iteration == max_iterations || !residual.allFinite() ||
+        !(residual.lpNorm<Eigen::Infinity>() > max_residual))
+      return residual;
     VectorXd step = VectorXd::Zero(static_cast<Eigen::Index>(s.columns.size()));
     step.head(s.unknowns) = -smallest_correction(s, now.jacobian.leftCols(s.unknowns), now.phi);
-    if (!(step.norm() > 1e-14)) return off;
+    if (!(step.norm() > 1e-14)) return residual;
     lineariser.move(state, s, step);
   }
 }
@@ -52,12 +52,12 @@ VectorXd extrapolated(const VectorXd& half, const VectorXd& whole) {
 
 /// Returns the other constraints that contradict the one that is off most: those with a residual
 /// > max_misfit. At the least-squares position, rows have residuals when they depend on each other.
-std::vector<int> contradicted(const GroupSystem& s, const VectorXd& off, int constraint) {
+std::vector<int> contradicted(const GroupSystem& s, const VectorXd& misfits, int constraint) {
   std::vector<int> others;
   for (std::size_t i = 0; i < s.rows.size(); ++i) {
     const int other = s.rows[i].first;
     if (other == constraint || (!others.empty() && others.back() == other)) continue;
-    if (std::abs(off[i]) > max_misfit) others.push_back(other);
+    if (std::abs(misfits[i]) > max_misfit) others.push_back(other);
   }
   return others;
 }
@@ -70,9 +70,10 @@ std::optional<Contradiction> find_contradiction(const GroupSystem& s,
                                                 Lineariser& lineariser) {
   if (s.unknowns == 0 || s.rows.empty()) return {};
   std::optional<Contradiction> found;
-  for (const double way : {driver_movement, -driver_movement}) {  // one of them may be out of reach
+  for (const double movement :
+       {driver_movement, -driver_movement}) {  // one of them may be out of reach
     VectorXd step = VectorXd::Zero(static_cast<Eigen::Index>(s.columns.size()));
-    step.tail(s.drivers()).setConstant(way / movement_steps);
+    step.tail(s.drivers()).setConstant(movement / movement_steps);
     std::vector<double> state = position;
     VectorXd half, whole;
     for (int i = 1; i <= movement_steps; ++i) {
@@ -81,13 +82,14 @@ std::optional<Contradiction> find_contradiction(const GroupSystem& s,
       if (i == movement_steps / 2) half = whole;
     }
     Eigen::Index worst = 0;
-    const double off = whole.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);
-    const VectorXd far = extrapolated(half, whole);
-    if (off <= max_misfit && far.cwiseAbs().maxCoeff() <= max_misfit) return {};
-    if (found && !std::isfinite(off))
+    const double largest_misfit = whole.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);
+    if (largest_misfit <= max_misfit &&
+        extrapolated(half, whole).cwiseAbs().maxCoeff() <= max_misfit)
+      return {};
+    if (found && !std::isfinite(largest_misfit))
       continue;  // e.g. outside of a table: the first direction tells more
     const int constraint = s.rows[worst].first;
-    found = {constraint, off, way, contradicted(s, whole, constraint)};
+    found = {constraint, largest_misfit, movement, contradicted(s, whole, constraint)};
   }
   return found;
 }
