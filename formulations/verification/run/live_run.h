@@ -48,9 +48,10 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   /// row failed; describe() gives the reason.
   RowFault fault = RowFault::none;
   std::optional<RowFlag> flag{};  ///< of a row that was solved; empty: proven, or not checked
-  PerLevel<double> radius{};      ///< largest of the row, divided by its scale (LiveRun::scales())
+  PerLevel<double> radius{};      ///< largest, over its scale (LiveRun::scales()); 0: not checked
   double condition = 0;           ///< Certificate::condition; 0: not checked
-  /// Report on the way from the last proven row. path.time: time up to which it is proven [s].
+  /// Report on the way from the last proven row, if there was one. path.time: time up to which the
+  /// way is proven [s].
   FollowedStep path{};
 
   /// Returns whether the row failed because no proven motion leads to it. The formulation may have
@@ -121,13 +122,13 @@ class LiveRun {
   /// Returns whether there is a good row.
   bool has_position() const { return has_position_; }
   /// Return the last good row: time [s] and values in coordinate order (Model::coordinates()).
-  /// Levels above those of the options are empty or unspecified.
+  /// Without a good row, and at levels above that of the options, they are empty or unspecified.
   double time() const { return time_; }
   std::span<const double> q() const { return good_.position; }
   std::span<const double> qd() const { return good_.velocity; }
   std::span<const double> qdd() const { return good_.acceleration; }
   /// Returns bounds on |value − exact| of the last good row, in units of the coordinates; infinite:
-  /// no bound is proven.
+  /// no bound is proven. An unproven row has those of RefinedInstant.
   const PerLevel<std::vector<double>>& radius() const { return radius_; }
   /// Returns the scales that radii are relative to: those given, or the motion's so far.
   Scales scales() const;
