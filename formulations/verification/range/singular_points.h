@@ -52,8 +52,8 @@ std::optional<RangeEnd> find_joint_lock(const Model& model, SolutionCurve& curve
 double interpolated(std::span<const double> xs, std::span<const double> ys, double x);
 
 /// Returns the driver's value at a crossing of curves in a step. Positions next to a crossing are
-/// not well known. So the value at which det B vanishes is interpolated from points further away;
-/// if these are not found, it is the middle between the ends.
+/// not well known. So the value at which det B vanishes is interpolated from points further away.
+/// If these are not found, it is the middle between `before` and the end of the step, or `before`.
 /// - before: an earlier point, from which steps lead to these; its arc leads to the step
 /// - length: arc of the step
 /// - blocks: number of blocks that become singular. det B vanishes like the distance to this power
