@@ -131,7 +131,7 @@ struct CheckOptions {
   /// Level requested of each coordinate (Plan::levels); empty: that of the request. The formulation
   /// keeps to it after the run (solve_only()). The memory must last until run_checked() returns.
   std::span<const Level> levels{};
-  bool strict = false;         ///< ends at the first row that is flagged
+  bool strict = false;         ///< ends at the first flagged row, which is not handed on
   bool past_failures = false;  ///< continues after an interval that cannot be assembled
   /// Callback that receives each row before the observer does; empty: none. It must not throw: it
   /// is called through Observer::observe(), where an exception ends the program.
@@ -139,17 +139,19 @@ struct CheckOptions {
 };
 
 /// Runs a motion like Formulation::run() and proves it. Each number that the observer receives is
-/// within its radius of the exact motion of the mechanism in the file, on the branch of the
-/// drawing, continued smoothly through change points that are flagged; or the row's flag says why
-/// not. Certificates correct each instant (Refinement), path proofs follow each step (BranchPath).
-/// Where the formulation finds another branch, or nothing, the end of the path is delivered, and
-/// the formulation goes on from there.
+/// within its radius of the exact motion of the mechanism in the file, or its row's flag says why
+/// not. That motion is on the branch of the drawing, continued smoothly through change points that
+/// are flagged. Certificates correct each instant (Refinement), path proofs follow each step
+/// (BranchPath). Where the formulation finds another branch, or nothing, the end of the path is
+/// delivered, and the formulation goes on from there.
 ///
 /// The run ends, as a failure, where there is no position. All instants before it were delivered.
 /// With `past_failures` it continues at the next instant that can be assembled.
-/// Throws std::invalid_argument for a request that names coordinates, for a model whose coordinates
-/// are not natural (but for CheckMode::none), for `levels` that is neither empty nor has one level
-/// for each coordinate, and for a `sample` below 1 that CheckMode::sample uses.
+/// Throws std::invalid_argument
+/// - for a request that names coordinates,
+/// - for coordinates that are not natural, unless CheckMode is `none`,
+/// - for `levels` that is neither empty nor has one level for each coordinate,
+/// - for a `sample` below 1 that CheckMode::sample uses.
 ///
 ///   const auto formulation = make_formulation(find_variant("block_symbolic_inlined"), model);
 ///   const CheckedSummary s = run_checked(*formulation, grid, {Level::acceleration}, observer);

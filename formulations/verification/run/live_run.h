@@ -114,7 +114,8 @@ class LiveRun {
   /// last good row as it was.
   LiveSummary step(const LiveRow& row);
 
-  /// Sets the time of the last good position [s]: the next row may have any later one.
+  /// Sets the time of the last good position [s], if there is one. The next row may have any later
+  /// time.
   void set_time(double t);
   /// Forgets all rows: the next is reached from the drawing.
   void restart();
@@ -140,8 +141,8 @@ class LiveRun {
     std::optional<Misfit> assembly_error;
     std::optional<TableLock> table_lock{};
   };
-  /// Finds what kept the last failed row from being solved. Allocates and takes long: call it
-  /// outside of the loop.
+  /// Finds what kept the row that was tried last from being solved. Rows with a RowFault were not
+  /// tried. Allocates and takes long: call it outside of the loop.
   Obstacle explain() const;
 
  private:
