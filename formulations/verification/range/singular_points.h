@@ -16,8 +16,8 @@ struct DeadPoint {
   SolutionCurve::Point after;
 };
 
-/// A point of a curve, far enough from a singular one that its tangent is known well, and the arc
-/// from it to the present point.
+/// A point of a curve, and the arc from it to the present point. It is so far from a singular one
+/// that its tangent is known well.
 struct EarlierPoint {
   SolutionCurve::Point point;
   double arc = 0;
