@@ -34,8 +34,8 @@ class BlockEquations {
   void motion(const States& x, Level level, States& phi) const;
   /// Evaluates Φ_q. Overwrites all entries of equations that are not linear.
   void jacobian(const LaneInterval* q, LaneMatrix& to) const;
-  /// Evaluates Φ̇_q and, at Level::acceleration, Φ̈_q. `level` is the velocity or the acceleration,
-  /// in this order: constant entries of Φ_q get their zeros at `level` alone.
+  /// Evaluates Φ̇_q and, at Level::acceleration, Φ̈_q. Call it at Level::velocity first: constant
+  /// entries of Φ_q get their zeros at `level` alone.
   void jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const;
 
   // In path_equations.cpp.
