@@ -11,7 +11,7 @@ namespace desmo {
 struct LockedLoops {
   std::vector<GroupId> groups;   ///< groups of the singular blocks, in solution order
   std::vector<EntityId> moving;  ///< what their null vectors move while all drivers rest
-  /// (arc point – dead point) / (arc before – dead point), < 1/2, about; 0: not measured.
+  /// About (arc point – dead point) / (arc before – dead point), which is < 1/2. 0: not measured.
   double left = 0;
 };
 
