@@ -44,10 +44,12 @@ class BranchPath {
   /// If rates are missing, finds them and proves the instant. Returns whether that succeeds.
   bool start_at(const CertifiedInstant& instant);
 
-  /// Goes to the time of an instant, later or earlier. Then present() is the instant with all rates
-  /// (`same`), the solution at that time on the motion followed (`other`), or the last proven
-  /// instant (`stuck`). If present() has that time already, it stays: `same` if the certified
-  /// boxes of both instants meet, else `other`.
+  /// Goes to the time of an instant, later or earlier. Then present() is
+  /// - `same`: the instant, with all rates
+  /// - `other`: the solution at that time on the motion followed
+  /// - `stuck`: the last proven instant
+  /// If present() has that time already, it stays: `same` if the certified boxes of both instants
+  /// meet, else `other`.
   FollowedStep follow(const CertifiedInstant& to);
   /// Goes to another time (`same`), or as far as the motion leads (`stuck`).
   FollowedStep go_to(double time);

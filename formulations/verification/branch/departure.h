@@ -33,9 +33,10 @@ class Departure {
   double turn_after(double time, double until) const;
 
   /// Returns whether the path of several drivers leaves the origin in another direction than the
-  /// line. The angle to the line of a tangent path falls to zero with the distance. So there is a
-  /// corner if the angle at the distance `near` exceeds half of that at `far` > `near`, beyond
-  /// rounding. Also returns true if the drivers never reach `far`. A single driver has no corner.
+  /// line. Where a path is tangent to the line, the angle between them falls to zero with the
+  /// distance. So there is a corner if the angle at the distance `near` exceeds half of that at
+  /// `far` > `near`, beyond rounding. Also returns true if the drivers never reach `far`. A single
+  /// driver has no corner.
   bool has_corner(double near, double far) const;
 
  private:

@@ -97,8 +97,8 @@ class VariedDrawing {
     }
   }
 
-  /// Widens the factors of a coupling. What they leave of it grows with the turns of its angles, so
-  /// slack would not do.
+  /// Widens the factors of a coupling. The residual that their errors cause grows with the turns of
+  /// its angles, so slack would not do.
   template <class Kind>
   void vary_factors(Constraint& c) const {
     for (Derived& factor : std::span(c.constants).first(Kind::operand_sizes.size()))
@@ -108,7 +108,7 @@ class VariedDrawing {
   /// Sets the slack of a linear kind, whose factors vary with its operands. The variation changes Φ
   /// by a vector that turns with the body, so each row may be off by the length of that vector.
   /// (Radii of the factors themselves would be multiplied by the distance of points from the
-  /// origin.) That of a coupling is what its terms vary by at the drawing, from which its constant
+  /// origin.) The slack of a coupling is what its terms vary by at the drawing, where its constant
   /// is measured.
   template <class Kind>
   void vary_rows(Constraint& c) const {

@@ -15,7 +15,7 @@ enum class PathEnd {
 struct FollowedStep {
   PathEnd end = PathEnd::stuck;
   int tests = 0;                ///< path proofs
-  int sub_steps = 0;            ///< 1: the step was proven at the first try
+  int sub_steps = 0;            ///< that are proven; 1, if not stuck: proven at the first try
   double time = 0;              ///< of the last proven instant [s]
   GroupId group = no_position;  ///< stuck: that of the last failed proof, or an earlier one that
                                 ///< is nearly singular

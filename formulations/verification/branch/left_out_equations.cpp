@@ -20,8 +20,8 @@ namespace {
 using Number = Compensated<double>;
 
 /// Values of s in a step at which misfits are looked for. The ends s = −1 and 1 are instants, which
-/// check() looks at. Values right next to the ends are left out: a misfit of an end reaches there,
-/// and would have the whole step followed by other equations.
+/// check() looks at. Values next to the ends are left out: a misfit of an end reaches there, and
+/// CheckedMotion would then follow the whole step by other equations.
 constexpr std::array looks{-0.875, -0.75, -0.625, -0.5, -0.375, -0.25, -0.125, 0.,
                            0.125,  0.25,  0.375,  0.5,  0.625,  0.75,  0.875};
 
@@ -152,8 +152,8 @@ double LeftOutEquations::worst_place(std::size_t i, const PathProof& step) {
   return place;
 }
 
-/// Looks at equation i at a point of a step, and notes its misfit, if it has one. Returns false if
-/// a shorter step, whose enclosure is tighter, may tell more.
+/// Looks at a point of a step for the sake of equation i. If any equation has a misfit there, notes
+/// the largest. Returns false if a shorter step, whose enclosure is tighter, may tell more.
 bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s) {
   go_to(step, s);
   const std::span<const double> q = std::span(state_).first(m_.coordinates());

@@ -25,8 +25,8 @@ namespace desmo {
 ///
 /// Between instants, each equation is enclosed along the tube of each step (PathProof). A step is
 /// too long if the enclosure allows a misfit above `max_misfit`, which modelling refuses in a
-/// drawing, and none is found. Where the digits of the file or rounding leave open even at a point
-/// whether there is such a misfit, shorter steps are not asked for.
+/// drawing, and none is found. The digits of the file, or rounding, may leave open even at a point
+/// whether there is such a misfit. Then shorter steps are not asked for.
 ///
 /// check() costs an evaluation of these equations and, where the instant's own radii do not explain
 /// all residuals, a certificate of positions. One thread at a time may use this object.

@@ -78,8 +78,8 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
   return smooth;
 }
 
-/// Passes a change point of model m. The crossing is found in `smooth`: it has the equations that m
-/// has just before the point, and no knot on it.
+/// Passes a change point of model m. The crossing is found in `smooth`: m itself, or m with its
+/// tables continued, so that no knot is on the point.
 std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const CertifiedInstant& last,
                                 std::span<const double> direction, double start, GroupId group,
                                 TestBudget& budget) {

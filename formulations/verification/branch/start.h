@@ -19,8 +19,8 @@ struct FoundStart {
   Stage stage = Stage::reached;
   double share = 1;              ///< blocked: share of the stage's way that is proven, from 0 to 1
   GroupId group = no_position;   ///< blocked: group of the last failed proof, if it is known
-  bool out_of_tests = false;     ///< blocked: the budget of the way ended, or is far too small;
-                                 ///< nothing else is known
+  bool out_of_tests = false;     ///< blocked: tests ran out, or are far too few for the way; no
+                                 ///< other obstacle is known
   std::vector<double> passed{};  ///< change points that the drivers passed, as shares of their way
   /// Positions (coordinates): of the start if it is reached, else the last proven ones; those of
   /// the drawing if none are.

@@ -34,14 +34,13 @@ class BlockEquations {
   void motion(const States& x, Level level, States& phi) const;
   /// Evaluates Φ_q. Overwrites all entries of equations that are not linear.
   void jacobian(const LaneInterval* q, LaneMatrix& to) const;
-  /// Evaluates Φ̇_q; at Level::acceleration Φ̈_q, too. `level` is a rate. Needs a call at
-  /// Level::velocity before one at Level::acceleration: entries whose rates are always zero are set
-  /// at `level` alone.
+  /// Evaluates Φ̇_q and, at Level::acceleration, Φ̈_q. Call it at Level::velocity first: constant
+  /// entries of Φ_q get their zeros at `level` alone.
   void jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const;
 
   // In path_equations.cpp.
-  /// Writes the states of a path that are fixed, and those that functions take although no equation
-  /// of the block depends on them.
+  /// Writes the fixed states of a path, and those that no equation of the block depends on, since
+  /// functions take them, too.
   void write_fixed(PathValue* x) const;
   /// Evaluates Φ along a path. Overwrites phi. Rows count as exact: ShapedBlock::slack, which no
   /// model of a motion has, is not read.

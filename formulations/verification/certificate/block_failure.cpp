@@ -29,8 +29,8 @@ ProofFailure BlockProof::failure(int lane) const {
       drivers += slope * std::abs(e.centre[j][lane]);
       time += slope * e.own[j][lane];
     }
-  // Errors above the rounding of the block's size, u × magnitude, are themselves the cause. Below
-  // it X is hardly more than that rounding, and its contraction is the cause.
+  // Errors above u × magnitude are themselves the cause. Below that X is hardly larger than
+  // u × magnitude: the test then fails because |I − Y Φ_φ| X is too large.
   const double size = batch_->magnitudes[worst][lane], error = e.sum[worst][lane];
   const double at = std::abs(state_.position[batch_->locals[worst]].mid[lane]);
   if (error > size * Interval::unit) {

@@ -64,7 +64,7 @@ void BlockProof::find_image(Level level) {
   }
   for (int i = 0; i < n; ++i) {
     const LaneNumbers *y = &y_->inverse[i * n], *slopes = y_->slopes.data() + i * m;
-    LaneNumbers centre(0), own(0);  // own ends positive: radii of Φ are
+    LaneNumbers centre(0), own(0);  // own ends > 0, as radii of Φ are
     for (int r = 0; r < n; ++r) {
       centre = fma(-y[r], centre_[r], centre);
       own = fma(abs(y[r]), uncertainty_[r], own);

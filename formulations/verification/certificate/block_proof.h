@@ -26,7 +26,7 @@ class BlockProof {
   /// Returns why a lane of the batch that prove() took last is not proven.
   ProofFailure failure(int lane) const;
   /// Returns the condition number of each block of that batch (Preconditioner::condition); 0 where
-  /// the errors of the block's inputs are not bounded.
+  /// the positions of the block's inputs have unbounded errors.
   const LaneNumbers& condition() const { return condition_; }
 
  private:

@@ -30,18 +30,18 @@ struct BlockShape {
 
   int unknowns = 0, inputs = 0;  ///< n, m
   std::vector<Object> objects;
-  /// Column of each local state. `fixed`: the state is that of a fixed entity. `unread`: no
-  /// equation of the block depends on the state.
+  /// Column of each local state. `unread`: no equation of the block depends on the state. `fixed`:
+  /// one does, but the state is that of a fixed entity.
   std::vector<int> columns;
   static constexpr int fixed = -1, unread = -2;
   /// Column of each entry of Φ_q that is not always zero, row by row, ascending in a row.
   std::vector<int> entries;
   std::vector<int> row_begins;  ///< position of each row's first entry, and the end (n + 1)
   /// The same entries column by column.
-  /// - column_begins: number of the first entry of each column, and the end (n + m + 1)
   /// - column_rows, column_entries: row of each entry, and its position in `entries`
+  /// - column_begins: position in these of each column's first entry, and the end (n + m + 1)
   std::vector<int> column_begins, column_rows, column_entries;
-  std::vector<int> input_begins;  ///< position of each row's first entry of an input (n)
+  std::vector<int> input_begins;  ///< position of each row's first input entry, else its end (n)
   bool linear = true;             ///< all constraints are of linear kinds, so Φ_q is constant
   bool operator==(const BlockShape&) const = default;
 
@@ -58,7 +58,7 @@ void with_unrolled_size(int unknowns, Function&& function) {
                   : function.template operator()<0>();
 }
 
-/// An irreducible block of a model.
+/// A part of a model, as a rule an irreducible block.
 struct ShapedBlock {
   BlockShape shape;
   std::vector<int> states;       ///< position of each local state in the state of the model

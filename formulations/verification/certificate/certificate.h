@@ -36,20 +36,21 @@ struct BlockSchedule;
 /// meant is not part of the proof.
 struct Certificate {
   bool proven = false;
-  /// Structural group of the first irreducible block without a proof; no_position where all are
-  /// proven.
+  /// Structural group of the first irreducible block, in solution order, without a proof;
+  /// no_position where all are proven.
   GroupId group = no_position;
   ProofFailure failure = ProofFailure::none;  ///< of that block
   /// Condition number of the worst block at the delivered position, 1 or more. It is like
   /// ConditionNumber (condition.h), but of the block alone, and with characteristic lengths in
-  /// place of the mechanism's size. Row sums count the columns of inputs, too. Infinite where a
-  /// position is singular. Rounded, and no bound.
+  /// place of the mechanism's size. Row sums count the columns of inputs, too. Infinite if a matrix
+  /// is singular in doubles, or `failure` is `singular`. Leaves out blocks whose inputs have
+  /// unbounded errors. Rounded, and no bound.
   double condition = 1;
   GroupId worst_conditioned = no_position;  ///< structural group of that block
   /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
-  /// Infinite where no proof succeeded, in what depends on such a block, and at levels that are not
-  /// solved. A driven coordinate is exact at its motion at the time. Valid until the next
-  /// certify().
+  /// Infinite where no proof succeeded, in what depends on such a block, and at levels that the
+  /// instant does not have. The exact value of a driven coordinate is that of its motion, or the
+  /// one handed in. Valid until the next certify().
   PerLevel<std::span<const double>> radius{};
   /// Newton's correction of each coordinate in compensated arithmetic, and a bound on
   /// |delivered + correction − exact|, infinite where `radius` is. A block without a proof has a

@@ -21,8 +21,8 @@ EndValues<LaneNumbers> values_at(const CertifiedInstant& end, int first, Level l
   return values;
 }
 
-/// Bounds the distance of a path at an end from the farthest point of the certified box there, but
-/// for the rounding of this bound.
+/// Bounds the distance, at an end, from a path to any point of the certified box. Does not count
+/// the rounding of this bound.
 LaneNumbers distance(const Quintic<LaneNumbers>& path, double s, const LaneNumbers& q,
                      const LaneNumbers& radius) {
   return abs(value_at(path, LaneNumbers(s)) - q) + radius;

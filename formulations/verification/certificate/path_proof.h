@@ -27,7 +27,7 @@ struct PathCertificate {
 /// The path of a coordinate and the tube about it: eight numbers, two registers.
 struct alignas(32) CoordinatePath {
   Quintic<double> path{};
-  double gap = 0;     ///< bound on |path − certified box| at both ends, to its farthest point
+  double gap = 0;     ///< bound on the distance, at either end, to any point of the certified box
   double radius = 0;  ///< of the tube; infinite: not proven
 
   void set(const LaneNumbers& low, const LaneNumbers& high) {
@@ -120,7 +120,7 @@ class PathProof {
   std::vector<LaneNumbers> errors_;       // radii of δ of the inputs (m)
   std::vector<LaneNumbers> gaps_;         // CoordinatePath::gap of the unknowns (n)
   std::vector<LaneNumbers> image_;        // bounds on |Y Φ + Y Φ_h δ| (n)
-  std::vector<LaneNumbers> uncertainty_;  // bounds, row by row (n)
+  std::vector<LaneNumbers> uncertainty_;  // |Φ| + radii of Φ_h × |δ|, then workspace (n)
   std::vector<LaneNumbers> trial_;        // radii of X (n)
   std::vector<LaneNumbers> contracted_;   // bounds on |(I − Y Φ_φ) X| (n)
   Preconditioner preconditioner_;

@@ -43,7 +43,7 @@ struct Preconditioner {
   std::vector<LaneNumbers> work_;    // (n × n)
   std::vector<LaneNumbers> scales_;  // of rows (n): for pivots, and R
   std::vector<int> rows_;            // row exchanged with row k in step k of an elimination (n)
-  bool is_single_ = false;           // all lanes have the same matrix
+  bool is_single_ = false;           // all lanes have the same matrix, with more than four unknowns
   SingleMatrix single_;
 };
 

@@ -12,10 +12,11 @@ namespace desmo {
 struct RefinedInstant {
   Instant instant{};  ///< with corrections; as it was given if no certificate is proven
   bool proven = false;
-  /// Bounds on |instant − exact| of each coordinate, at the levels of the instant alone.
+  /// Bounds on |instant − exact| of each coordinate, at the levels of the instant alone. Without a
+  /// proof they are those of `last`, which are about the numbers of the last pass instead.
   PerLevel<std::span<const double>> radius{};
   /// Certificate of the last proven pass or, if none is proven, of the last pass. Its spans view
-  /// memory of the certifier: they hold numbers of the last pass, proven or not.
+  /// memory of the certifier. They hold what the last pass has found, proven or not.
   Certificate last{};
   int passes = 0;  ///< number of certificates
 };
@@ -46,7 +47,7 @@ class Refinement {
   using Values = PerLevel<std::vector<double>>;
   /// Bounds on the errors at a level. There are two kinds of coordinates: 0, lengths; 1, rotations.
   struct Digits {
-    double before = 0;             ///< before the corrections, over u × size of its kind: digits()
+    double before = 0;             ///< before the corrections, over u × the kind's largest number
     double open = 0;               ///< after the corrections, over the same
     std::array<double, 2> rest{};  ///< after the corrections, of each kind, in its unit
   };

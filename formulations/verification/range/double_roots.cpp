@@ -28,8 +28,8 @@ std::optional<ChangePoint> DoubleRootSearch::add(const Point& point, const Deter
   return found;
 }
 
-/// Returns whether √|det| is smallest at the middle point, and nearer to the line through the outer
-/// points with the sign of one changed than to the line through both as they are.
+/// Returns whether √|det| is smallest at the middle point, and nearer to line 1 than to line 2.
+/// Both go through the outer points. For line 1 the sign of one of these is changed.
 bool DoubleRootSearch::may_have_root(int block) const {
   const double a = last_[0].root(block), b = last_[1].root(block), c = last_[2].root(block),
                share = last_[1].length / (last_[1].length + last_[2].length);

@@ -25,8 +25,8 @@ class DoubleRootSearch {
     since_ = 0;
   }
 
-  /// Adds a point that lies an arc `length` after the last one, with its determinants, none of
-  /// which is zero or has changed its sign since then. Returns a double root near the point that
+  /// Adds a point that lies an arc `length` after the last one, with its determinants. None of them
+  /// is zero or has changed its sign since then. Returns a double root near the point that
   /// was added before: that of the first block which has one. The driver's value is exact to 1e-9
   /// rad or characteristic lengths.
   std::optional<ChangePoint> add(const SolutionCurve::Point& point, const Determinants& there,

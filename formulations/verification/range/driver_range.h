@@ -44,7 +44,7 @@ struct ChangePoint {
 /// Range of a driver from a position, while the others rest.
 struct DriverRange {
   double start;          ///< value of the driver at the given position
-  bool is_idle = false;  ///< the driver moves nothing but itself
+  bool is_idle = false;  ///< the driver moves nothing but itself: both ends are at the start
   RangeEnd down, up;
   /// End on the second branch, if the start is a dead point. Both branches begin there and lead in
   /// the direction that is not locked.

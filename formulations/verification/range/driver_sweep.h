@@ -33,13 +33,13 @@ class DriverSweep {
   const std::vector<ChangePoint>& change_points() const { return change_points_; }
 
  private:
-  /// How far a sweep has come, and how long its next step is.
+  /// The point that a sweep has reached, and the length of its next step.
   struct Progress {
     Point point;
     Determinants determinants;  // of the last point at which none is zero
     double length;              // arc of the next step
     EarlierPoint far;           // last point from which a step longer than a locking_arc was made
-    double since = 0;           // arc since the last point that double roots were looked for at
+    double since = 0;           // arc since the last point at which double roots were looked for
   };
   /// A step that was tried.
   struct Step {

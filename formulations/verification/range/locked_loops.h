@@ -11,7 +11,8 @@ namespace desmo {
 struct LockedLoops {
   std::vector<GroupId> groups;   ///< groups of the singular blocks, in solution order
   std::vector<EntityId> moving;  ///< what their null vectors move while all drivers rest
-  double left = 0;  ///< (arc point – dead point) / (arc before – dead point), < 1/2
+  /// About (arc point – dead point) / (arc before – dead point), which is < 1/2. 0: not measured.
+  double left = 0;
 };
 
 /// Finds the loops that lock right after a point of a curve. Towards a lock a singular value of its

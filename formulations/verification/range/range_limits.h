@@ -40,8 +40,8 @@ struct RangeLimits {
   double double_root_distance() const { return std::sqrt(sample_determinant); }
 
   /// Returns the arc [scaled] within which loops lock at once, and within which a determinant
-  /// without a change of sign counts as zero. Along it the driver's value changes by about its
-  /// square, the accuracy.
+  /// without a change of sign counts as zero. From a dead point, the driver's value changes along
+  /// it by about its square, the accuracy.
   double locking_arc() const { return std::sqrt(accuracy); }
 };
 

@@ -16,8 +16,8 @@ struct DeadPoint {
   SolutionCurve::Point after;
 };
 
-/// A point of a curve, far enough from a singular one that its tangent is known well, and the arc
-/// from it to the present point.
+/// A point of a curve, and the arc from it to the present point. It is so far from a singular one
+/// that its tangent is known well.
 struct EarlierPoint {
   SolutionCurve::Point point;
   double arc = 0;
@@ -52,8 +52,8 @@ std::optional<RangeEnd> find_joint_lock(const Model& model, SolutionCurve& curve
 double interpolated(std::span<const double> xs, std::span<const double> ys, double x);
 
 /// Returns the driver's value at a crossing of curves in a step. Positions next to a crossing are
-/// not well known. So the value at which det B vanishes is interpolated from points further away;
-/// if these are not found, it is the middle between the ends.
+/// not well known. So the value at which det B vanishes is interpolated from points further away.
+/// If these are not found, it is the middle between `before` and the end of the step, or `before`.
 /// - before: an earlier point, from which steps lead to these; its arc leads to the step
 /// - length: arc of the step
 /// - blocks: number of blocks that become singular. det B vanishes like the distance to this power

@@ -20,8 +20,8 @@ class CheckedMotion {
   /// each instant. Model and levels must outlive this object.
   CheckedMotion(const Model& model, std::span<const Level> levels);
 
-  /// Goes from the drawing to a time [s], at which the motion begins. The next instant that is
-  /// checked is the one at that time.
+  /// Begins the motion at a time [s]. Follows it there from the drawing, if the way is not blocked.
+  /// The next instant that is checked must be the one at that time.
   void begin(double time);
   /// Begins at a proven instant instead, wherever the motion was before. Returns whether it can.
   bool continue_from(const CertifiedInstant& instant);

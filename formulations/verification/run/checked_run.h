@@ -21,31 +21,33 @@ namespace desmo {
 enum class Outcome {
   converged,  ///< no flag, no gap
   degraded,   ///< a row is flagged, or an interval that cannot be assembled was left out
-  failed,     ///< no position was found (with `past_failures`: of no row), or a strict run met a
-              ///< flag
+  failed,     ///< a row has no position (with `past_failures`: none has one), or a strict run met
+              ///< a flag
 };
 
 /// Reason why the numbers of a row are not proven to be those of the motion in the file.
 struct RowFlag {
   /// Kinds of flags, the worst first.
   enum class Kind {
-    unproven,  ///< the instant has no proof: `failure` says why
+    unproven,  ///< the instant has no proof, or radii that leave no digit: `failure` says why
     branch,    ///< proven, but on an unknown branch since the interval from `after` to `before`:
                ///< a singular position lies there, or the path ran out of tests
-    on_point,  ///< the row lies on a change point: it has a position and no rates
-    crossing,  ///< the step passes a change point, on its smooth continuation, or begins on it
+    on_point,  ///< the row lies on a change point, or next to it: it has a position and no rates
+    crossing,  ///< the step passes a change point, on its smooth continuation, or begins on it. A
+               ///< first row has the way from the drawing in place of the step
     misfit,    ///< a left-out equation does not hold at the row, or on the way from the row before:
                ///< there is no exact motion
   };
   Kind kind = Kind::unproven;
   double time = 0;  ///< of the row [s]
-  /// Ends of the interval in which the cause lies [s]. For a misfit both are the time at which it
-  /// was found. `before` is infinite where the motion stays on or next to a change point.
+  /// Ends of the interval in which the cause lies [s]. For `misfit` both are its time. For a cause
+  /// on the way from the drawing both are the time of the first row. `before` is infinite where the
+  /// motion stays on or next to a change point. `unproven` may leave both 0.
   double after = 0, before = 0;
   GroupId group = no_position;  ///< of the failed proof, change point or misfit, if known
-  bool out_of_tests = false;    ///< branch: the budget of tests ended before the interval did
+  bool out_of_tests = false;    ///< branch: the path ran out of tests
   ProofFailure failure = ProofFailure::none;  ///< unproven: why
-  std::optional<Misfit> misfit{};
+  std::optional<Misfit> misfit{};             ///< of the row, whatever its flag
 
   /// Returns whether the motion passes a change point, or is on one.
   bool is_of_change_point() const { return kind == Kind::crossing || kind == Kind::on_point; }
@@ -56,14 +58,14 @@ std::string_view word_of(const RowFlag& flag);
 
 /// A row of a checked run, and what is proven of it.
 struct CheckedInstant {
-  Instant instant;  ///< with corrections; valid until the next row
+  Instant instant;  ///< with corrections, if it is proven; valid until the next row
   /// Bounds on |instant − exact| of each coordinate. Infinite: there is no proof. Empty: none was
-  /// certified.
+  /// certified. An unproven instant has those of RefinedInstant.
   PerLevel<std::span<const double>> radius{};
   /// Largest radius over its scale in the motion so far. Infinite: some coordinates have no proof.
   /// 0: `radius` is empty, since the row lies between two that are proven.
   PerLevel<double> relative_radius{};
-  double condition = 0;  ///< of the instant (Certificate::condition)
+  double condition = 0;  ///< Certificate::condition; 0: not certified; on a change point infinite
   /// The instant is not the formulation's, which is on another branch or has found none.
   bool is_elsewhere = false;
   bool is_on_point = false;  ///< a mechanism is on a change point, where it has no rates
@@ -129,7 +131,7 @@ struct CheckOptions {
   /// Level requested of each coordinate (Plan::levels); empty: that of the request. The formulation
   /// keeps to it after the run (solve_only()). The memory must last until run_checked() returns.
   std::span<const Level> levels{};
-  bool strict = false;         ///< ends at the first row that is flagged
+  bool strict = false;         ///< ends at the first flagged row, which is not handed on
   bool past_failures = false;  ///< continues after an interval that cannot be assembled
   /// Callback that receives each row before the observer does; empty: none. It must not throw: it
   /// is called through Observer::observe(), where an exception ends the program.
@@ -137,17 +139,19 @@ struct CheckOptions {
 };
 
 /// Runs a motion like Formulation::run() and proves it. Each number that the observer receives is
-/// within its radius of the exact motion of the mechanism in the file, on the branch of the
-/// drawing, continued smoothly through change points that are flagged; or the row's flag says why
-/// not. Certificates correct each instant (Refinement), path proofs follow each step (BranchPath).
-/// Where the formulation finds another branch, or nothing, the end of the path is delivered, and
-/// the formulation goes on from there.
+/// within its radius of the exact motion of the mechanism in the file, or its row's flag says why
+/// not. That motion is on the branch of the drawing, continued smoothly through change points that
+/// are flagged. Certificates correct each instant (Refinement), path proofs follow each step
+/// (BranchPath). Where the formulation finds another branch, or nothing, the end of the path is
+/// delivered, and the formulation goes on from there.
 ///
 /// The run ends, as a failure, where there is no position. All instants before it were delivered.
 /// With `past_failures` it continues at the next instant that can be assembled.
-/// Throws std::invalid_argument for a request that names coordinates, for a model whose coordinates
-/// are not natural (but for CheckMode::none), for `levels` that is neither empty nor has one level
-/// for each coordinate, and for a `sample` below 1 that CheckMode::sample uses.
+/// Throws std::invalid_argument
+/// - for a request that names coordinates,
+/// - for coordinates that are not natural, unless CheckMode is `none`,
+/// - for `levels` that is neither empty nor has one level for each coordinate,
+/// - for a `sample` below 1 that CheckMode::sample uses.
 ///
 ///   const auto formulation = make_formulation(find_variant("block_symbolic_inlined"), model);
 ///   const CheckedSummary s = run_checked(*formulation, grid, {Level::acceleration}, observer);

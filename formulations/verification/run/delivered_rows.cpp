@@ -47,7 +47,7 @@ bool CheckedMotion::deliver_point(const Instant& at) {
 }
 
 /// Flags the result where its branch is unknown, or the way to it from the drawing crosses a change
-/// point. A worse flag stays, a misfit in any.
+/// point. A worse flag stays. So does a misfit, in any flag.
 void CheckedMotion::complete_flag() {
   for (const std::optional<RowFlag>& flag : {state_.lost, state_.first_flag}) {
     if (!flag || (result_.flag && result_.flag->kind <= flag->kind)) continue;

@@ -14,8 +14,8 @@ namespace {
 /// Width [s] of the bracket in which the search for an end of a gap stops.
 constexpr double bracket = 1e-9;
 
-/// Returns the last time [s], to within `bracket`, that can be solved between `good`, where the
-/// formulation is, and `bad`, where it fails. Bisects.
+/// Bisects between two times [s]: `good`, where the formulation is, and `bad`, where it fails.
+/// Returns a time that can be solved, to within `bracket` of one that cannot.
 double last_solved(Formulation& formulation, double good, double bad) {
   while (std::abs(bad - good) > bracket) {
     const double middle = good + (bad - good) / 2;

@@ -19,8 +19,9 @@ struct FoundGap {
   int next;
 };
 
-/// Finds the ends of a gap, to default_tolerance. Leaves the formulation at a position near the
-/// gap's end; if the grid ends first, its positions are unspecified.
+/// Finds the ends of a gap. Times count as solved if positions meet default_tolerance. Leaves the
+/// formulation at a position near the gap's end; if the grid ends first, its positions are
+/// unspecified.
 /// - failed: index of the grid instant that could not be assembled
 /// - failure: summary of the run, which ended there
 /// - levels: CheckOptions::levels

@@ -56,8 +56,9 @@ class IndependentMotions {
   const std::span<const Level> levels_;
   std::vector<double> tolerances_;  // nominal magnitude × tolerance of each coordinate
   CheckedMotion together_;
-  std::optional<std::vector<std::unique_ptr<SubmodelMotion>>> each_;  // empty: not needed so far
-  State state_, last_;  // last_: before the last check
+  // Null: not needed so far. Empty: there is one mechanism.
+  std::optional<std::vector<std::unique_ptr<SubmodelMotion>>> each_;
+  State state_, last_;  // last_: before the last check or try
   double begin_ = 0;    // time at which the motion begins [s]
   PerLevel<std::vector<double>> values_, radius_;
   std::vector<RowFlag> flags_;  // of the mechanisms, the worst first

@@ -48,9 +48,10 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   /// row failed; describe() gives the reason.
   RowFault fault = RowFault::none;
   std::optional<RowFlag> flag{};  ///< of a row that was solved; empty: proven, or not checked
-  PerLevel<double> radius{};      ///< largest of the row, divided by its scale (LiveRun::scales())
+  PerLevel<double> radius{};      ///< largest, over its scale (LiveRun::scales()); 0: not checked
   double condition = 0;           ///< Certificate::condition; 0: not checked
-  /// Report on the way from the last proven row. path.time: time up to which it is proven [s].
+  /// Report on the way from the last proven row, if there was one. path.time: time up to which the
+  /// way is proven [s].
   FollowedStep path{};
 
   /// Returns whether the row failed because no proven motion leads to it. The formulation may have
@@ -113,7 +114,8 @@ class LiveRun {
   /// last good row as it was.
   LiveSummary step(const LiveRow& row);
 
-  /// Sets the time of the last good position [s]: the next row may have any later one.
+  /// Sets the time of the last good position [s], if there is one. The next row may have any later
+  /// time.
   void set_time(double t);
   /// Forgets all rows: the next is reached from the drawing.
   void restart();
@@ -121,13 +123,13 @@ class LiveRun {
   /// Returns whether there is a good row.
   bool has_position() const { return has_position_; }
   /// Return the last good row: time [s] and values in coordinate order (Model::coordinates()).
-  /// Levels above those of the options are empty or unspecified.
+  /// Without a good row, and at levels above that of the options, they are empty or unspecified.
   double time() const { return time_; }
   std::span<const double> q() const { return good_.position; }
   std::span<const double> qd() const { return good_.velocity; }
   std::span<const double> qdd() const { return good_.acceleration; }
   /// Returns bounds on |value − exact| of the last good row, in units of the coordinates; infinite:
-  /// no bound is proven.
+  /// no bound is proven. An unproven row has those of RefinedInstant.
   const PerLevel<std::vector<double>>& radius() const { return radius_; }
   /// Returns the scales that radii are relative to: those given, or the motion's so far.
   Scales scales() const;
@@ -139,8 +141,8 @@ class LiveRun {
     std::optional<Misfit> assembly_error;
     std::optional<TableLock> table_lock{};
   };
-  /// Finds what kept the last failed row from being solved. Allocates and takes long: call it
-  /// outside of the loop.
+  /// Finds what kept the row that was tried last from being solved. Rows with a RowFault were not
+  /// tried. Allocates and takes long: call it outside of the loop.
   Obstacle explain() const;
 
  private:

@@ -7,7 +7,7 @@
 namespace desmo {
 
 void RowTally::take(CheckedInstant& row, CheckedSummary& summary) {
-  // Before radii without a digit take the place of a flag.
+  // Comes first, since take_radius() may replace the flag.
   row.for_each_flag([&](const RowFlag& flag) { take_flag(flag, summary); });
   take_radius(row);
   if (!row.flag) return;
@@ -15,8 +15,8 @@ void RowTally::take(CheckedInstant& row, CheckedSummary& summary) {
   if (!summary.first_flag) summary.first_flag = row.flag;
 }
 
-/// Includes a row, unless it is unproven, in the scales and the largest radii. Flags it if its
-/// radii leave no digit.
+/// Includes a row in the scales and the largest radii, unless it is unproven. If its radii leave no
+/// digit, flags it instead of including them.
 void RowTally::take_radius(CheckedInstant& row) {
   if (row.flag && row.flag->kind == RowFlag::Kind::unproven) {
     row.relative_radius = {INFINITY, INFINITY, INFINITY};

@@ -10,7 +10,8 @@
 namespace desmo {
 
 /// Scales of a motion (see Scales) while it is being solved. Those of rates start at the largest
-/// rates of the drivers over the grid, or at 0 if it has no instants, and grow with each instant.
+/// rates of the drivers over the grid, or at 0 if it has no instants. Larger rates of an instant
+/// raise them.
 class RunningScales {
  public:
   RunningScales(const Model& model, const TimeGrid& grid);
