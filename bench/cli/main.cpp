@@ -33,12 +33,26 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
       unknown_name("command", argv[1], std::vector<std::string_view>(names.begin(), names.end())));
 }
 
+/// Returns the subcommand that was given, or the program.
+CLI::App& given_command(CLI::App& program) {
+  const std::vector<CLI::App*> given = program.get_subcommands();
+  return given.empty() ? program : *given.front();
+}
+
+/// Returns "desmo solve"; "desmo" for the program.
+std::string full_name(const CLI::App& command) {
+  return (command.get_parent() ? "desmo " : "") + command.get_name();
+}
+
+std::string hint(const CLI::App& command) {
+  return "; '" + full_name(command) + " --help' shows what there is";
+}
+
 /// Throws CommandError (usage_error) for words that a command does not take: names the first
 /// unknown option or, where there is none, the first word too many.
 [[noreturn]] void refuse_extras(CLI::App& program) {
-  const std::vector<CLI::App*> chosen = program.get_subcommands();
-  const CLI::App& command = chosen.empty() ? program : *chosen.front();
-  const std::string name = chosen.empty() ? "desmo" : "desmo " + command.get_name();
+  const CLI::App& command = given_command(program);
+  const std::string name = full_name(command);
   std::vector<std::string> options;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& s : option->get_snames()) options.push_back("-" + s);
@@ -47,20 +61,19 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   const std::vector<std::string> extras = program.remaining(true);
   const auto unknown = std::ranges::find_if(
       extras, [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
-  const std::string help = "; '" + name + " --help' shows what there is";
   if (unknown == extras.end())
     throw cli::CommandError(
         cli::usage_error,
         in_quotes(extras.front()) + ": " + name + " takes no further argument; leave it out" +
             (command.get_option_no_throw("-o") ? ", or write -o before the name of an output"
                                                : "") +
-            help);
+            hint(command));
   const std::string option = unknown->substr(0, unknown->find('='));
   const std::vector<std::string_view> near =
       nearest_names(option, std::vector<std::string_view>(options.begin(), options.end()));
   const std::string meant = near.empty() ? "" : "; did you mean " + joined(near, in_quotes) + "?";
   throw cli::CommandError(cli::usage_error,
-                          name + " has no option " + in_quotes(option) + meant + help);
+                          name + " has no option " + in_quotes(option) + meant + hint(command));
 }
 
 void run(int argc, char** argv) {
@@ -88,7 +101,7 @@ void run(int argc, char** argv) {
     refuse_extras(program);
   } catch (const CLI::ParseError& error) {
     throw cli::CommandError(cli::usage_error,
-                            printable(error.what(), 300) + "; 'desmo --help' shows what there is");
+                            printable(error.what(), 300) + hint(given_command(program)));
   }
 }
 

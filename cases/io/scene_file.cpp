@@ -5,6 +5,7 @@
 #include "cases/io/readers.h"
 #include "cases/io/text_file.h"
 #include "cases/library/library.h"
+#include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo {
@@ -35,8 +36,8 @@ TimeGrid read_time(const JsonValue& value) {
   constexpr double rounding = 1e-3;  // duration / step may differ by this from a whole number
   if (intervals < 1 - rounding || std::abs(intervals - std::round(intervals)) > rounding)
     step_given.complain(
-        "from start to end is not a whole number of steps; choose another step or "
-        "end");
+        formatted("from start to end are %.12g steps, no whole number; choose another step or end",
+                  intervals));
   if (!(start + step > start) || !(end - step < end))
     step_given.complain("the step vanishes beside such large times; choose a longer step");
   TimeGrid grid = time_grid(end - start, step);

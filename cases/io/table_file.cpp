@@ -61,8 +61,7 @@ struct TableFile {
       if (found != names.end())
         at[i] = static_cast<std::size_t>(found - names.begin());
       else if (width != 2)
-        fail("no column is called " + name(i) + "; " +
-             remedy(fields.front(), suggestion(columns[i]->name, names)));
+        fail("no column is called " + name(i) + "; " + remedy(suggestion(columns[i]->name, names)));
       else if (double number; to_number(fields[i], number))
         fail("column 1: " + in_quotes(fields.front()) + " is not a number, and column " +
              std::to_string(i + 1) + ", " + in_quotes(fields[i]) +
@@ -102,14 +101,15 @@ struct TableFile {
     double value = 0;
     if (!to_number(fields[column], value) || !(std::abs(value) <= max_number))
       fail("column " + std::to_string(column + 1) + ": " + in_quotes(fields[column]) +
-           " is not a number up to 1e100; " + remedy(fields[column], "give one"));
+           " is not a number up to 1e100; " + remedy("give one"));
     return value;
   }
 
-  /// Returns the usual remedy; for a field with a semicolon, which does not separate, one about
+  /// Returns the usual remedy; for a line with a semicolon, which does not separate, one about
   /// separators.
-  static std::string remedy(std::string_view field, const std::string& usual) {
-    return field.find(';') == field.npos
+  std::string remedy(const std::string& usual) const {
+    const auto has_semicolon = [](std::string_view field) { return field.find(';') != field.npos; };
+    return std::ranges::none_of(fields, has_semicolon)
                ? usual
                : "separate columns by commas, tabs or blanks, and write decimal points";
   }

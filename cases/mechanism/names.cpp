@@ -111,7 +111,9 @@ std::vector<std::string_view> nearest_names(std::string_view name,
   std::vector<std::pair<int, std::string_view>> near;
   for (const std::string_view candidate : known) {
     const int distance = edit_distance(name, candidate, limit);
-    if (distance <= limit) near.emplace_back(distance, candidate);
+    // A name of one letter resembles no other such name.
+    const int longest = static_cast<int>(std::max(name.size(), candidate.size()));
+    if (distance <= limit && distance < longest) near.emplace_back(distance, candidate);
   }
   if (near.empty() && name.size() >= min_contained)
     for (const std::string_view candidate : known)

@@ -35,9 +35,10 @@ std::string joined(List&& list, Text text = {}, std::string_view between = ", ")
 }
 
 /// Returns at most three known names similar to `name`. Their edit distance, in bytes, is at most 3
-/// and at most half the length of `name`, or 1 where that half is 0. Nearest names come first,
-/// equally near ones in the order given. Where none is similar, returns names that contain `name`,
-/// if it has at least 3 bytes. Returns none where it has more than max_name bytes.
+/// and at most half the length of `name`, or 1 where that half is 0; names of one byte are never
+/// similar. Nearest names come first, equally near ones in the order given. Where none is similar,
+/// returns names that contain `name`, if it has at least 3 bytes. Returns none where it has more
+/// than max_name bytes.
 std::vector<std::string_view> nearest_names(std::string_view name,
                                             std::span<const std::string_view> known);
 

@@ -148,7 +148,7 @@ TEST_F(Cli, InputThatIsWrong) {
 }
 
 TEST_F(Cli, UsageErrors) {
-  EXPECT_EQ(desmo(""), 64);
+  expect_said(64, "", "; 'desmo --help' shows what there is");
   expect_said(64, "inspekt slider_crank", "did you mean 'inspect'?");
   EXPECT_EQ(desmo("solve"), 64);
   EXPECT_EQ(desmo("solve slider_crank --no-such-option"), 64);
@@ -171,7 +171,7 @@ TEST_F(Cli, UsageErrors) {
   EXPECT_TRUE(says("desmo: 'x.csv': ") && !says("-o ")) << err_;
   expect_said(64, "tune slider_crank --max-error 1e-6 --level speed",
               "--level: 'speed' is none of its values; there are 'position', 'velocity', "
-              "'acceleration'");
+              "'acceleration'; 'desmo tune --help' shows what there is");
   EXPECT_EQ(out_, "");
   write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1},
                                             "formulation": "magic")"));

@@ -157,7 +157,8 @@ TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
       {angle, R"("angle": ["A"])", "/coordinates/theta/angle: has 1 names; "},
       {angle, R"("component": "A", "axis": "z")",
        "/coordinates/theta/axis: there is no z in the plane; "},
-      {R"("along": "x")", R"("along": "y")", "/coordinates/s/along: unknown vector 'y'; did you"},
+      {R"("along": "x")", R"("along": "y")",
+       "/coordinates/s/along: unknown vector 'y'; there are 'x'"},
       {"\"estimate\": 10", R"("estimate": "10")", "/coordinates/theta/estimate: is a text; give"},
   };
   for (const auto& [old, by, message] : changes)

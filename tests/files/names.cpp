@@ -13,7 +13,8 @@ TEST(Names, NearestComeFirstAndInOrder) {
   EXPECT_EQ(nearest_names("C1", known), (Names{"C2", "C"}));
   EXPECT_EQ(nearest_names("tehta", known), (Names{"theta"}));
   EXPECT_EQ(nearest_names("something", known), Names{});
-  EXPECT_EQ(nearest_names("X", Names{"A", "B", "C", "D"}), (Names{"A", "B", "C"}));
+  EXPECT_EQ(nearest_names("X1", Names{"A1", "B1", "C1", "D1"}), (Names{"A1", "B1", "C1"}));
+  EXPECT_EQ(nearest_names("X", Names{"A", "X2", "B"}), (Names{"X2"}));
   const Names ids{"global_lapack", "group_explicit", "block_explicit"};
   EXPECT_EQ(nearest_names("explicit", ids), (Names{"group_explicit", "block_explicit"}));
   EXPECT_EQ(nearest_names("explict", Names{"group_explict", "explicit"}), (Names{"explicit"}));

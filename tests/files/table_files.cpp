@@ -81,6 +81,8 @@ TEST_F(TableFile, WhatIsWrongIsNamedWithItsLine) {
       {"0,0\n1,1e101\n", "line 2: column 2: '1e101' is not a number up to 1e100"},
       {"0,0\n1\n", "line 2: has 1 columns, where 2 are expected; give as many"},
       {"t;angle\n0;0\n", "line 1: no column is called 't'; separate columns by commas, tabs or bl"},
+      {"t [s];angle [deg]\n0;0\n",
+       "line 1: no column is called 'angle'; separate columns by commas, tabs or bl"},
       {"0,5;0\n1,0;1\n",
        "line 1: column 2: '5;0' is not a number up to 1e100; separate columns by commas"},
       {"0,0\n1,1\n1,2\n", "line 3: its 't' is not above the one before"},
