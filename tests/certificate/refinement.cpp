@@ -139,5 +139,18 @@ TEST(Refinement, CorrectsPositionsWhereAMotionRests) {
   for (const double radius : r.radius.position) EXPECT_LE(radius, 1e-15);
 }
 
+/// The certificate of the last pass bounds numbers that are not delivered: the driver's is exact.
+TEST(Refinement, BoundsNothingWithoutAProof) {
+  const Model m = locking_four_bar(Polynomial{{dead_point, 1}});
+  std::vector<double> q = m.estimate;
+  for (double& x : q) x += 1e-3;
+  const std::vector<double> zeros(m.coordinates());
+  Refinement refinement(m);
+  const RefinedInstant& r = refinement.refine(instant_of(0, {q, zeros, zeros}));
+  ASSERT_FALSE(r.proven);
+  for (const Level level : all_levels)
+    for (const double radius : r.radius[level]) EXPECT_EQ(radius, INFINITY);
+}
+
 }  // namespace
 }  // namespace desmo::refinement_test

@@ -31,7 +31,7 @@ double largest(const LaneNumbers& x) { return std::max({x[0], x[1], x[2], x[3]})
 }  // namespace
 
 Refinement::Refinement(const Model& m, std::span<const Level> levels)
-    : m_(m), certifier_(m, levels) {
+    : m_(m), certifier_(m, levels), unbounded_(m.coordinates(), INFINITY) {
   lengths_.resize((m.coordinates() + count - 1) / count);
   for (const Entity& e : m.entities)
     for (int i = e.first; !e.fixed && is_length(e.kind) && i < e.first + e.size; ++i)
@@ -89,8 +89,7 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
   }
   if (result_.proven) result_.instant = with(best_);
   for (const Level level : levels_)
-    result_.radius[level] =
-        result_.proven ? std::span<const double>(best_radius_[level]) : result_.last.radius[level];
+    result_.radius[level] = result_.proven ? best_radius_[level] : unbounded_;
   return result_;
 }
 

@@ -12,8 +12,8 @@ namespace desmo {
 struct RefinedInstant {
   Instant instant{};  ///< with corrections; as it was given if no certificate is proven
   bool proven = false;
-  /// Bounds on |instant − exact| of each coordinate, at the levels of the instant alone. Without a
-  /// proof they are those of `last`, which are about the numbers of the last pass instead.
+  /// Bounds on |instant − exact| of each coordinate, at the levels of the instant alone. Infinite
+  /// without a proof.
   PerLevel<std::span<const double>> radius{};
   /// Certificate of the last proven pass or, if none is proven, of the last pass. Its spans view
   /// memory of the certifier. They hold what the last pass has found, proven or not.
@@ -61,6 +61,7 @@ class Refinement {
   std::span<const Level> levels_;  // of the present instant
   Values next_, radius_;           // numbers with the corrections of the last pass, their radii
   Values best_, best_radius_;      // these numbers and radii of the best pass at each level
+  std::vector<double> unbounded_;  // radii without a proof
   RefinedInstant result_;
 };
 

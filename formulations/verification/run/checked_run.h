@@ -60,7 +60,7 @@ std::string_view word_of(const RowFlag& flag);
 struct CheckedInstant {
   Instant instant;  ///< with corrections, if it is proven; valid until the next row
   /// Bounds on |instant − exact| of each coordinate. Infinite: there is no proof. Empty: none was
-  /// certified. An unproven instant has those of RefinedInstant.
+  /// certified.
   PerLevel<std::span<const double>> radius{};
   /// Largest radius over its scale in the motion so far. Infinite: some coordinates have no proof.
   /// 0: `radius` is empty, since the row lies between two that are proven.

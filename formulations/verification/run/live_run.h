@@ -129,7 +129,7 @@ class LiveRun {
   std::span<const double> qd() const { return good_.velocity; }
   std::span<const double> qdd() const { return good_.acceleration; }
   /// Returns bounds on |value − exact| of the last good row, in units of the coordinates; infinite:
-  /// no bound is proven. An unproven row has those of RefinedInstant.
+  /// no bound is proven.
   const PerLevel<std::vector<double>>& radius() const { return radius_; }
   /// Returns the scales that radii are relative to: those given, or the motion's so far.
   Scales scales() const;
