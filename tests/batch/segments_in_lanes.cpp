@@ -104,6 +104,24 @@ TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
 }
 
+/// An observer in order of time stops after twenty instants, when all are solved.
+TEST(Segments, CountWhatTheObserverTook) {
+  struct Stopping final : Observer {
+    Flow observe(const Instant& instant) noexcept override {
+      updates += instant.updates;
+      return ++instants == 20 ? Flow::stop : Flow::go_on;
+    }
+    long instants = 0, updates = 0;
+  } observer;
+  const Model m = truck_model(1);
+  const auto f = formulated("group_symbolic_explicit/segments:4", m);
+  const Summary s = f->run(time_grid(3, 0.01), {}, observer);
+  EXPECT_TRUE(s.ok() && s.stopped);
+  EXPECT_EQ(s.instants, 20);
+  EXPECT_GT(s.updates, 0);
+  EXPECT_EQ(s.updates, observer.updates);
+}
+
 INSTANTIATE_TEST_SUITE_P(SegmentsInLanes, OnTheCases, testing::ValuesIn(every_kind()));
 
 TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
