@@ -42,15 +42,16 @@ class Definitions {
     try {
       validate(mechanism_);
     } catch (const MechanismError& error) {
-      // A definition is at fault: without them the mechanism was valid.
+      // A definition is at fault, since the mechanism was valid without them. The error names it,
+      // or the body that carries it.
       using Part = MechanismError::Part;
       const auto index = static_cast<std::size_t>(error.index());
-      if (error.part() == Part::coordinate && index >= coordinates)
-        coordinate_places[index - coordinates].complain(error.what());
+      if (error.part() == Part::coordinate)
+        coordinate_places.at(index - coordinates).complain(error.what());
       for (std::size_t i = 0; i < point_places.size(); ++i)
         if (error.part() == Part::point ? index == points + i : carrier_[i] == error.index())
           point_places[i].complain(error.what());
-      entries.front().complain(error.what());
+      throw;
     }
   }
 

@@ -232,15 +232,15 @@ void Batch::deliver(const OutputView& output, Level level) const {
 }
 
 void Batch::scatter(const Scatter& targets, Level level, const OutputView& to) const {
-  std::array<LaneCopy, 3> subsystems;
+  std::array<LaneCopy, 3> copies;
   std::size_t count = 0;
   const auto add = [&](Level least, const LaneValues& values, double* array) {
-    if (array && level >= least) subsystems[count++] = {values.data(), array};
+    if (array && level >= least) copies[count++] = {values.data(), array};
   };
   add(Level::position, state_.now().q, to.q);
   add(Level::velocity, state_.now().qd, to.qd);
   add(Level::acceleration, state_.now().qdd, to.qdd);
-  targets.scatter({subsystems.data(), count});
+  targets.scatter({copies.data(), count});
 }
 
 }  // namespace desmo

@@ -143,9 +143,8 @@ class Batch {
 
 /// Returns whether two subsystems can be solved in lanes of one batch. Two conditions must hold:
 /// - Their parts have the same types in the same order.
-/// - Two numbers of the parts, read or written, are one coordinate in `a` exactly if they are one
-/// in
-///   `b`.
+/// - Two numbers that the parts of `a` read or write are one coordinate exactly if those of `b`
+/// are.
 bool are_alike(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b);
 
 }  // namespace desmo

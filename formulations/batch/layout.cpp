@@ -76,6 +76,16 @@ void unpack_four(const std::array<const double*, 4>& from, const std::array<doub
     for (int l = 0; l < quad; ++l) to[l][k] = row(k)[l];
 }
 
+/// Writes a number of each of four lanes, from its places in an array, side by side.
+void gather_quad(const double* from, const Places& place, double* to) {
+#ifdef __AVX__
+  _mm256_store_pd(to,
+                  _mm256_set_pd(from[place[3]], from[place[2]], from[place[1]], from[place[0]]));
+#else
+  for (int l = 0; l < quad; ++l) to[l] = from[place[l]];
+#endif
+}
+
 }  // namespace
 
 void unpack(const double* from, std::span<const int> offsets, std::span<double* const> to) {
@@ -98,19 +108,6 @@ Gather::Gather(std::span<const int> which, const LanePlaces& places)
     }
   }
 }
-
-namespace {
-
-void gather_quad(const double* from, const Places& place, double* to) {
-#ifdef __AVX__
-  _mm256_store_pd(to,
-                  _mm256_set_pd(from[place[3]], from[place[2]], from[place[1]], from[place[0]]));
-#else
-  for (int l = 0; l < quad; ++l) to[l] = from[place[l]];
-#endif
-}
-
-}  // namespace
 
 template <std::size_t lanes, std::size_t arrays>
 void Gather::gather_lanes(const std::array<const double*, arrays>& from,

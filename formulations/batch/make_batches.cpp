@@ -58,8 +58,13 @@ class BatchMaker {
  private:
   int size() const { return static_cast<int>(parts_.size()); }
 
-  const ExplicitPart* explicit_part(int i) const {
-    return dynamic_cast<const ExplicitPart*>(parts_[i].solver.get());
+  /// Returns the parts at these positions; an empty list where one is not in explicit order.
+  std::vector<const ExplicitPart*> explicit_parts(const Positions& positions) const {
+    std::vector<const ExplicitPart*> result;
+    for (const int i : positions)
+      result.push_back(dynamic_cast<const ExplicitPart*>(parts_[i].solver.get()));
+    if (std::ranges::find(result, nullptr) != result.end()) result.clear();
+    return result;
   }
 
   /// Returns the subsystems: sets of moving parts that need each other, directly or by way of
@@ -87,11 +92,8 @@ class BatchMaker {
   }
 
   bool are_alike(const Positions& a, const Positions& b) const {
-    std::vector<const ExplicitPart*> of_a, of_b;
-    for (const int i : a) of_a.push_back(explicit_part(i));
-    for (const int i : b) of_b.push_back(explicit_part(i));
-    return std::ranges::find(of_a, nullptr) == of_a.end() &&
-           std::ranges::find(of_b, nullptr) == of_b.end() && desmo::are_alike(of_a, of_b);
+    const std::vector<const ExplicitPart*> of_a = explicit_parts(a), of_b = explicit_parts(b);
+    return !of_a.empty() && !of_b.empty() && desmo::are_alike(of_a, of_b);
   }
 
   /// Returns the kernels of a subsystem's parts for each number of lanes, ascending, for which all
@@ -100,10 +102,9 @@ class BatchMaker {
     std::vector<SubsystemKernels> result;
     for (const int lanes : lane_counts) {
       SubsystemKernels of_all;
-      for (const int i : subsystem)
-        if (const ExplicitPart* const part = explicit_part(i))
-          if (const LaneKernel* k = table_.find_lane_kernel(part->kernel().fingerprint, lanes))
-            of_all.push_back(k);
+      for (const ExplicitPart* const part : explicit_parts(subsystem))
+        if (const LaneKernel* k = table_.find_lane_kernel(part->kernel().fingerprint, lanes))
+          of_all.push_back(k);
       if (lanes <= lanes_ && of_all.size() == subsystem.size()) result.push_back(std::move(of_all));
     }
     return result;
@@ -156,7 +157,7 @@ class BatchMaker {
   /// Returns constant parts, the parts in result_, then the other parts. The parts of a range are
   /// joined in batches where there is code for lanes, and stay single elsewhere.
   std::vector<DefinedPart> by_types(const Positions& left) {
-    std::vector<DefinedPart> subsystems = std::exchange(result_, {});
+    std::vector<DefinedPart> batches = std::exchange(result_, {});
     for (auto first = left.begin(); first != left.end();) {
       const auto last =
           std::find_if(first, left.end(), [&](int i) { return range_of_[i] != range_of_[*first]; });
@@ -172,8 +173,8 @@ class BatchMaker {
     }
     const auto moving = std::ranges::find_if(
         result_, [](const DefinedPart& part) { return !part.definition.constant; });
-    result_.insert(moving, std::make_move_iterator(subsystems.begin()),
-                   std::make_move_iterator(subsystems.end()));
+    result_.insert(moving, std::make_move_iterator(batches.begin()),
+                   std::make_move_iterator(batches.end()));
     return std::move(result_);
   }
 

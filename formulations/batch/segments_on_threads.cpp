@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <mutex>
 #include <utility>
 
@@ -96,6 +97,9 @@ class SegmentObserver final : public Observer {
   }
   bool any_order() const noexcept override { return true; }
 
+  /// Returns the sums over the instants that were handed on: their number and updates.
+  const Summary& handed_on() const { return handed_on_; }
+
  private:
   std::unique_lock<std::mutex> wait() const {
     return own_ ? std::unique_lock<std::mutex>() : std::unique_lock(shared_.mutex);
@@ -103,6 +107,8 @@ class SegmentObserver final : public Observer {
   void hand_on_alone() {
     for (const Instant& instant : waiting_) {
       if (shared_.stopped) break;
+      ++handed_on_.instants;
+      handed_on_.updates += instant.updates;
       if (observer_.observe(instant) == Flow::stop) shared_.stopped = true;
     }
     waiting_.clear();
@@ -119,14 +125,24 @@ class SegmentObserver final : public Observer {
   const int begin_;
   std::vector<Instant> waiting_;
   std::vector<int> instants_;  // indices of the instants for which memory is borrowed
+  Summary handed_on_;
 };
 
 }  // namespace
 
+/// A segment and the outcome of solving it.
+struct SegmentsOnThreads::Segment {
+  int begin, end;                        // range of instants in the grid
+  std::vector<double> first_position{};  // at its first instant, in coordinate order
+  bool ended = false;                    // whether the next segment's first instant is solved
+  std::optional<Summary> total{};        // nothing: it could not be solved
+  Summary handed_on{};                   // see SegmentObserver::handed_on()
+  std::exception_ptr error{};
+};
+
 SegmentsOnThreads::SegmentsOnThreads(std::vector<std::unique_ptr<TimeStepping>> workers,
                                      int min_instants)
     : workers_(std::move(workers)),
-      segments_(workers_.size()),
       min_instants_(min_instants),
       moving_unknowns_(moving_unknowns(*workers_.front())) {
   start_threads(static_cast<int>(workers_.size()));
@@ -145,57 +161,51 @@ int SegmentsOnThreads::segments(int instants) const {
 std::optional<Summary> SegmentsOnThreads::run(const TimeGrid& grid, const Request& request,
                                               State& state, Observer& observer) {
   const int count = segments(grid.instants);
+  std::vector<Segment> all;
+  for (long k = 0; k < count; ++k)
+    all.push_back({static_cast<int>(k * grid.instants / count),
+                   static_cast<int>((k + 1) * grid.instants / count)});
   Shared shared;
-  for (int k = 0; k < count; ++k) {
-    segments_[k].begin = static_cast<int>(static_cast<long>(k) * grid.instants / count);
-    segments_[k].end = static_cast<int>((k + 1L) * grid.instants / count);
-  }
 #pragma omp parallel for num_threads(count) schedule(static, 1)
   for (int k = 0; k < count; ++k) {
+    Segment& s = all[k];
     try {
-      SegmentObserver own(observer, k, shared, grid, segments_[k].begin);
-      solve(k, grid, request, state, own);
+      SegmentObserver own(observer, k, shared, grid, s.begin);
+      solve(s, *workers_[k], grid, request, state, own);
       own.hand_on();
+      s.handed_on = own.handed_on();
     } catch (...) {  // an exception must not leave its thread
-      segments_[k].error = std::current_exception();
+      s.error = std::current_exception();
     }
   }
   Summary whole;
   for (int k = 0; k < count; ++k) {
-    const Segment& s = segments_[k];
+    const Segment& s = all[k];
     if (s.error) std::rethrow_exception(s.error);
-    if (!shared.stopped && (!s.total || (k + 1 < count && !meet(k)))) return {};
+    const bool meets = k + 1 == count || (s.ended && all[k + 1].total &&
+                                          segments_meet(workers_[k]->model(), workers_[k]->q(),
+                                                        all[k + 1].first_position));
+    if (!shared.stopped && !(s.total && meets)) return {};
+    whole.instants += s.handed_on.instants;
+    whole.updates += s.handed_on.updates;
     if (!s.total) continue;
-    whole.instants += s.total->instants;
     whole.iterations += s.total->iterations;
-    whole.updates += s.total->updates;
     whole.sub_steps += s.total->sub_steps;
     whole.residual = std::max(whole.residual, s.total->residual);
   }
   whole.time = grid.time(grid.instants - 1);
   whole.stopped = shared.stopped;
-  if (whole.stopped) return whole;
-  state = workers_[count - 1]->state();
+  if (!whole.stopped) state = workers_[count - 1]->state();
   return whole;
 }
 
-void SegmentsOnThreads::solve(int k, const TimeGrid& grid, const Request& request,
-                              const State& first, Observer& observer) {
-  Segment& s = segments_[k];
-  s.total.reset();
-  s.error = nullptr;
-  s.ended = false;
-  TimeStepping& worker = *workers_[k];
+void SegmentsOnThreads::solve(Segment& s, TimeStepping& worker, const TimeGrid& grid,
+                              const Request& request, const State& first, Observer& observer) {
   if (!worker.start_at(first.q, grid.time(s.begin))) return;
   s.first_position.assign(worker.q().begin(), worker.q().end());
   s.total = worker.run_on(cut(grid, s.begin, s.end), request, observer);
   if (s.total && !s.total->stopped && s.end < grid.instants)
     s.ended = worker.step(grid.time(s.end), Level::position).ok();
-}
-
-bool SegmentsOnThreads::meet(int k) const {
-  return segments_[k].ended &&
-         segments_meet(workers_[k]->model(), workers_[k]->q(), segments_[k + 1].first_position);
 }
 
 }  // namespace desmo

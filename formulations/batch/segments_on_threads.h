@@ -1,6 +1,5 @@
 #pragma once
 
-#include <exception>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,21 +26,12 @@ class SegmentsOnThreads final : public SegmentExecutor {
   int segments(int instants) const;
 
  private:
-  /// A segment and the outcome of solving it.
-  struct Segment {
-    int begin = 0, end = 0;              // range of instants in the grid
-    std::vector<double> first_position;  // at its first instant, in coordinate order
-    bool ended = false;                  // whether the next segment's first instant is solved
-    std::optional<Summary> total;        // nothing: it could not be solved
-    std::exception_ptr error;
-  };
+  struct Segment;
 
-  void solve(int k, const TimeGrid& grid, const Request& request, const State& first,
-             Observer& observer);
-  bool meet(int k) const;
+  static void solve(Segment& segment, TimeStepping& worker, const TimeGrid& grid,
+                    const Request& request, const State& first, Observer& observer);
 
   std::vector<std::unique_ptr<TimeStepping>> workers_;
-  std::vector<Segment> segments_;
   const int min_instants_;
   const long moving_unknowns_;
 };

@@ -122,13 +122,7 @@ Summary TimeStepping::run_with_stride(const TimeGrid& grid, const Request& reque
     const Summary last = step(t, Level::acceleration);
     total.add(last);
     if (last.ok())
-      total.stopped = all.observe({.index = solved.instants,
-                                   .time = t,
-                                   .q = q(),
-                                   .qd = qd(),
-                                   .qdd = qdd(),
-                                   .updates = last.updates,
-                                   .residual = last.residual}) == Flow::stop;
+      total.stopped = deliver(solved.instants, t, last, Level::acceleration, all) == Flow::stop;
   }
   total.instants = all.delivered();
   return total;

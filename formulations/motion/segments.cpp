@@ -45,11 +45,13 @@ class MotionBuffer final : public Observer {
   bool any_order() const noexcept override { return true; }
   Observer* of_thread(int) noexcept override { return this; }
 
-  /// Hands the instants over in order of time, and counts those that the observer took.
+  /// Hands the instants over in order of time. Counts those that the observer took, and their
+  /// updates.
   void hand_over(const OutputWriter& output, Observer& observer, Summary& total) const {
-    total.instants = 0;
+    total.instants = total.updates = 0;
     for (const Instant& instant : instants_) {
       ++total.instants;
+      total.updates += instant.updates;
       total.stopped = output.hand_over(instant, observer) == Flow::stop;
       if (total.stopped) return;
     }

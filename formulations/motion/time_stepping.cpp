@@ -69,8 +69,8 @@ Summary TimeStepping::run(const TimeGrid& grid, const Request& request, Observer
 
 /// Solves every instant of a grid: in segments where there are any that meet, else step by step.
 Summary TimeStepping::solve_all(const TimeGrid& grid, const Request& request, Observer& observer) {
-  if (executor_) {
-    if (grid.instants > 0 && assemble(grid.time(0), request.level).ok())
+  if (executor_ && grid.instants > 0) {
+    if (assemble(grid.time(0), request.level).ok())
       if (const std::optional<Summary> total = solve_segments(grid, request, observer))
         return *total;
     ++runs_without_segments_;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -103,6 +104,24 @@ TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
 }
 
+/// An observer in order of time stops after twenty instants, when all are solved.
+TEST(Segments, CountWhatTheObserverTook) {
+  struct Stopping final : Observer {
+    Flow observe(const Instant& instant) noexcept override {
+      updates += instant.updates;
+      return ++instants == 20 ? Flow::stop : Flow::go_on;
+    }
+    long instants = 0, updates = 0;
+  } observer;
+  const Model m = truck_model(1);
+  const auto f = formulated("group_symbolic_explicit/segments:4", m);
+  const Summary s = f->run(time_grid(3, 0.01), {}, observer);
+  EXPECT_TRUE(s.ok() && s.stopped);
+  EXPECT_EQ(s.instants, 20);
+  EXPECT_GT(s.updates, 0);
+  EXPECT_EQ(s.updates, observer.updates);
+}
+
 INSTANTIATE_TEST_SUITE_P(SegmentsInLanes, OnTheCases, testing::ValuesIn(every_kind()));
 
 TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
@@ -110,7 +129,26 @@ TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const auto f = formulated("group_symbolic_explicit/segments:4", m);
   const TimeGrid grid = time_grid(0.2, 0.01);
   EXPECT_EQ(everything_of(*f, grid).order.size(), static_cast<std::size_t>(grid.instants));
+  EXPECT_TRUE(everything_of(*f, TimeGrid{}).order.empty());  // nothing was to be solved
   EXPECT_EQ(stepping_of(*f).runs_without_segments(), 1);
+}
+
+/// The errors that a tolerance of 1e-7 leaves are no other branch. A way of 1e-5 to another branch
+/// is short, but no rounding.
+TEST(Segments, MeetWithinAMillionthOfTheirSize) {
+  const Model m = four_bar_model(1);
+  const int angle = m.entities[m.find("dyad1/psi")].first, x = m.entities[m.find("dyad1/C")].first;
+  double length = 0;
+  for (const Entity& e : m.entities)
+    for (int i = e.first; !e.fixed && e.kind != EntityKind::angle && i < e.first + e.size; ++i)
+      length = std::max(length, std::abs(m.estimate[i]));
+  for (const double share : {0.3, 3.}) {
+    for (const auto& [i, size] : {std::pair(angle, 1.), std::pair(x, length)}) {
+      std::vector<double> ended = m.estimate;
+      ended[i] += share * 1e-6 * size;
+      EXPECT_EQ(segments_meet(m, ended, m.estimate), share < 1) << share;
+    }
+  }
 }
 
 /// A part that compares the last positions of a step, those of all coordinates, with where it was.

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -17,7 +17,6 @@
 #include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/motion/internals.h"
-#include "formulations/motion/segments.h"
 #include "tests/borrowed_part.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"
@@ -139,22 +138,33 @@ TEST(Segments, FailAsStepsFail) {
   }
 }
 
-/// The errors that a tolerance of 1e-7 leaves are no other branch. A way of 1e-5 to another branch
-/// is short, but no rounding.
-TEST(Segments, MeetWithinAMillionthOfTheirSize) {
-  const Model m = four_bar_model(1);
-  const int angle = m.entities[m.find("dyad1/psi")].first, x = m.entities[m.find("dyad1/C")].first;
-  double length = 0;
-  for (const Entity& e : m.entities)
-    for (int i = e.first; !e.fixed && e.kind != EntityKind::angle && i < e.first + e.size; ++i)
-      length = std::max(length, std::abs(m.estimate[i]));
-  for (const double share : {0.3, 3.}) {
-    for (const auto& [i, size] : {std::pair(angle, 1.), std::pair(x, length)}) {
-      std::vector<double> ended = m.estimate;
-      ended[i] += share * 1e-6 * size;
-      EXPECT_EQ(segments_meet(m, ended, m.estimate), share < 1) << share;
-    }
-  }
+using Worker = std::unique_ptr<TimeStepping>;
+
+Worker worker(const Model& m) {
+  return Worker(&stepping_of(*formulated("group_automatic_eigen", m).release()));
+}
+
+/// A worker with parts of another kind, which forward to those of f.
+template <class Kind>
+Worker worker_with(Formulation& f) {
+  std::vector<DefinedPart> parts;
+  for (const DefinedPart& p : parts_of(f))
+    parts.push_back({p.definition, std::make_unique<Kind>(*p.solver)});
+  return std::make_unique<TimeStepping>(f.model(), std::move(parts), Settings{});
+}
+
+/// Solves a motion by these workers, one segment each.
+template <class... Workers>
+std::optional<Summary> solved_by(const TimeGrid& grid, const Model& m, Workers... each) {
+  std::vector<Worker> workers;
+  (workers.push_back(std::move(each)), ...);
+  SegmentsOnThreads motion(std::move(workers), 16);
+  EXPECT_EQ(motion.segments(grid.instants), static_cast<int>(sizeof...(each)));
+  const Worker first = worker(m);
+  EXPECT_TRUE(first->assemble(0, Level::acceleration).ok());
+  State state = first->state();
+  Lender lender(grid.instants, {1}, Level::position);
+  return motion.run(grid, {.coordinates = std::vector{1}}, state, lender);
 }
 
 TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
@@ -162,46 +172,40 @@ TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
   Model other = m;
   for (Constraint& c : other.constraints)
     for (Derived& constant : c.constants) constant = constant * (1 + 1e-5);
-  std::vector<std::unique_ptr<TimeStepping>> workers;
-  for (const Model* model : std::initializer_list<const Model*>{&m, &other})
-    workers.emplace_back(&stepping_of(*formulated("group_automatic_eigen", *model).release()));
-  SegmentsOnThreads motion(std::move(workers), 16);
+  const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *worker(m));
+  EXPECT_FALSE(solved_by(grid, m, worker(m), worker(other)));
+}
+
+/// A part that solves no positions alone, as a continuation asks for.
+struct Blocked final : Borrowed {
+  using Borrowed::Borrowed;
+  PartResult solve(State& s, std::span<const double> last, Level level) override {
+    if (level == Level::position) return {.status = Status::not_converged};
+    return Borrowed::solve(s, last, level);
+  }
+};
+
+TEST(SegmentsOnThreads, IsGivenUpWhereASegmentIsNotReached) {
+  const Model m = truck_model(1);
   const auto f = formulated("group_automatic_eigen", m);
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
-  ASSERT_EQ(motion.segments(grid.instants), 2);
-  ASSERT_TRUE(f->assemble(0).ok());
-  State state = stepping_of(*f).state();
-  Lender lender(grid.instants, {1}, Level::position);
-  EXPECT_FALSE(motion.run(grid, {.coordinates = std::vector{1}}, state, lender));
+  EXPECT_FALSE(solved_by(grid, m, worker(m), worker_with<Blocked>(*f)));
 }
 
 /// A part that does not solve its tenth step.
-class Refusing final : public Borrowed {
- public:
+struct Refusing final : Borrowed {
   using Borrowed::Borrowed;
   PartResult solve(State& s, std::span<const double> last, Level level) override {
-    if (level == Level::acceleration && ++steps_ == 10) return {.status = Status::not_converged};
+    if (level == Level::acceleration && ++steps == 10) return {.status = Status::not_converged};
     return Borrowed::solve(s, last, level);
   }
-
- private:
-  int steps_ = 0;
+  int steps = 0;
 };
 
 TEST(SegmentsOnThreads, CountsSubSteps) {
   const Model m = four_bar_model(1);
   const auto f = formulated("global_automatic_eigen", m);
-  std::vector<DefinedPart> parts;
-  for (const DefinedPart& p : parts_of(*f))
-    parts.push_back({p.definition, std::make_unique<Refusing>(*p.solver)});
-  std::vector<std::unique_ptr<TimeStepping>> workers;
-  workers.push_back(std::make_unique<TimeStepping>(m, std::move(parts), Settings{}));
-  SegmentsOnThreads motion(std::move(workers), 16);
-  ASSERT_TRUE(f->assemble(0).ok());
-  State state = stepping_of(*f).state();
-  const TimeGrid grid = time_grid(0.2, 0.01);
-  Lender lender(grid.instants, {1}, Level::position);
-  const auto total = motion.run(grid, {.coordinates = std::vector{1}}, state, lender);
+  const auto total = solved_by(time_grid(0.2, 0.01), m, worker_with<Refusing>(*f));
   ASSERT_TRUE(total);
   EXPECT_EQ(total->sub_steps, 2);
 }
@@ -215,6 +219,8 @@ TEST(SegmentsOnThreads, StopsWhereTheObserverStops) {
   const Summary stopped = f->run(grid, {.coordinates = std::vector{1}}, lender);
   EXPECT_TRUE(stopped.ok() && stopped.stopped);
   EXPECT_LT(lender.instants, grid.instants);
+  EXPECT_EQ(stopped.instants, lender.instants);
+  EXPECT_EQ(stopped.updates, lender.updates);
   EXPECT_EQ(lender.restarts, 0);
   Everything observer(grid.instants);
   EXPECT_FALSE(f->run(grid, {}, observer).stopped);

@@ -66,9 +66,9 @@ TEST(BlockProof, CountsWhatErrorsOfRatesAddToThemselves) {
 /// An equation that may be off by an amount, which moves the unknown by twice that.
 TEST(BlockProof, CountsByHowMuchAnEquationMayBeOff) {
   constexpr double slack = 1e-6;
-  BlockBatch::Member member = product_of_vectors(1);
-  member.block.slack = {slack};
-  ProductBlock block(member);
+  BlockBatch::PlacedBlock placed = product_of_vectors(1);
+  placed.block.slack = {slack};
+  ProductBlock block(placed);
   std::vector<ErrorTable::Row>& rows = block.errors.position.rows;
   rows[0].delivered = 2;
   rows[3].delivered = 0.5;
@@ -83,13 +83,13 @@ TEST(BlockProof, KeepsWhatIsProvenInOneLane) {
   const std::array<double, 2> products{small, 1}, delivered{small, 1.001};
   std::array<double, 2> radius;
   for (const int lanes : {1, 2}) {
-    std::vector<BlockBatch::Member> members;
+    std::vector<BlockBatch::PlacedBlock> placed;
     for (int k = 0; k < lanes; ++k) {
-      BlockBatch::Member& made = members.emplace_back(product_of_vectors(products[k]));
+      BlockBatch::PlacedBlock& made = placed.emplace_back(product_of_vectors(products[k]));
       for (int& row : made.rows) row += 6 * k;
       made.block.states = made.block.coordinates = made.rows;
     }
-    BlockBatch batch(members, std::vector<double>(12, 1), 0);
+    BlockBatch batch(placed, std::vector<double>(12, 1), 0);
     PerLevel<ErrorTable> errors = tables_of(12);
     for (int k = 0; k < lanes; ++k) {
       errors.position.rows[6 * k].delivered = delivered[k];

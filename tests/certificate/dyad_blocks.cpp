@@ -29,7 +29,7 @@ struct Dyads {
     Model m;
     const GroupId group = m.add_group("dyads", {});
     for (const Dyad& dyad : dyads) m.add(EntityKind::point, "meeting", dyad.meeting, group);
-    std::vector<BlockBatch::Member> members;
+    std::vector<BlockBatch::PlacedBlock> placed;
     for (int k = 0; k < static_cast<int>(dyads.size()); ++k) {
       const auto& [centres, meeting] = dyads[k];
       for (const Point& centre : centres) {
@@ -39,10 +39,10 @@ struct Dyads {
       }
     }
     for (int k = 0; k < static_cast<int>(dyads.size()); ++k)
-      members.push_back(member_of(m, {.groups = {group},
-                                      .unknowns = {2 * k, 2 * k + 1},
-                                      .equations = {{2 * k, 0}, {2 * k + 1, 0}}}));
-    batch.emplace(members, std::vector<double>(m.coordinates(), 1), 0);
+      placed.push_back(placed_block(m, {.groups = {group},
+                                        .unknowns = {2 * k, 2 * k + 1},
+                                        .equations = {{2 * k, 0}, {2 * k + 1, 0}}}));
+    batch.emplace(placed, std::vector<double>(m.coordinates(), 1), 0);
     errors = tables_of(m.state_size());
     const std::vector<double> drawn = m.state_of(m.estimate);
     for (int i = 0; i < m.state_size(); ++i) errors.position.rows[i].delivered = drawn[i];

@@ -43,7 +43,7 @@ class Block {
              .constants = {e.c.begin(), e.c.end()},
              .group = part.groups[0]});
     }
-    batch_.emplace(std::vector{member_of(m, part)}, std::vector<double>(m.coordinates(), 1), 0);
+    batch_.emplace(std::vector{placed_block(m, part)}, std::vector<double>(m.coordinates(), 1), 0);
     errors_.position.rows.resize(m.coordinates());
   }
 

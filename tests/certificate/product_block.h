@@ -18,8 +18,9 @@ inline PerLevel<ErrorTable> tables_of(int rows) {
 }
 
 /// Returns a part of a model as a block whose coordinates have the rows of their numbers.
-inline BlockBatch::Member member_of(const Model& m, const PartDefinition& part) {
-  BlockBatch::Member made{shaped_block(m, part), part.groups.front(), 0, Level::acceleration, {}};
+inline BlockBatch::PlacedBlock placed_block(const Model& m, const PartDefinition& part) {
+  BlockBatch::PlacedBlock made{
+      shaped_block(m, part), part.groups.front(), 0, Level::acceleration, {}};
   made.rows = made.block.coordinates;
   return made;
 }
@@ -32,13 +33,13 @@ inline BlockProof proof_for(const BlockBatch& batch) {
 }
 
 /// An equation u·v = c, of which only the first component of u is unknown.
-inline BlockBatch::Member product_of_vectors(double c) {
+inline BlockBatch::PlacedBlock product_of_vectors(double c) {
   Model m;
   const GroupId group = m.add_group("block", {});
   for (const char* name : {"u", "v"})
     m.add(EntityKind::vector, name, std::array<double, 3>{}, group);
   m.add({"product", kind_index<Dot<3>>(), {0, 1}, {c}, group});
-  return member_of(m, {.groups = {group}, .unknowns = {0}, .equations = {{0, 0}}});
+  return placed_block(m, {.groups = {group}, .unknowns = {0}, .equations = {{0, 0}}});
 }
 
 /// A proof about that block alone. Rows of its tables are u₁ u₂ u₃ v₁ v₂ v₃. With symbols, it is in
@@ -46,11 +47,11 @@ inline BlockBatch::Member product_of_vectors(double c) {
 struct ProductBlock {
   static constexpr int rows = 6;
 
-  explicit ProductBlock(BlockBatch::Member member, int symbols = 0)
+  explicit ProductBlock(BlockBatch::PlacedBlock placed, int symbols = 0)
       : errors(tables_of(symbols > 0 ? 2 * rows : rows)),
         proof({.unknowns = 1, .width = rows, .states = rows, .columns = symbols}) {
-    for (int& row : member.rows) row += symbols > 0 ? rows : 0;
-    batch.emplace(std::vector{member}, std::vector<double>(rows, 1), symbols);
+    for (int& row : placed.rows) row += symbols > 0 ? rows : 0;
+    batch.emplace(std::vector{placed}, std::vector<double>(rows, 1), symbols);
     for (const Level level : all_levels) {
       errors[level].generators.resize(rows * symbols);
       errors[level].columns = symbols;

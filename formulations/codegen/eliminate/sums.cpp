@@ -8,7 +8,7 @@ namespace desmo::generate {
 namespace {
 
 /// Latencies [cycles], rounded.
-constexpr int addition = 3, multiplication = 4, division = 13, root = 20, sine_or_cosine = 40;
+constexpr int addition = 3, multiplication = 4, division = 13, root = 20, sine_cosine_or_table = 40;
 
 void collect(int id, bool subtracted, const IsWhole& is_whole, std::vector<Term>& terms) {
   const Node& n = Graph::current().node(id);
@@ -67,14 +67,11 @@ int ArrivalTimes::find(const Node& n) {
       return operands() + division;
     case Op::square_root:
       return operands() + root;
-    case Op::sine:
-    case Op::cosine:
-      return operands() + sine_or_cosine;
     case Op::negate:
     case Op::magnitude:
       return operands();
     default:
-      return operands() + sine_or_cosine;  // a look-up in a table
+      return operands() + sine_cosine_or_table;
   }
 }
 

@@ -157,7 +157,6 @@ std::string Emitter::text(int id) const {
       return "table_coefficient<" + std::to_string(table_order(n.op)) + ", " + style_.type + ">(&" +
              text(n.b) + ", " + text(n.a) + ")";
   }
-  return {};
 }
 
 std::map<int, std::string> places_of(const RecordedPart& part,

@@ -42,8 +42,7 @@ class KernelWriter {
   /// Writes a function with one value for each equation.
   void of_rows(const char* signature, const std::string& array, const Expressions& values) {
     open(signature);
-    Emitter emitter = begin(values);
-    emitter.prepare(values);
+    const Emitter emitter = begin(values);
     for (int r = 0; r < type_.rows(); ++r)
       assign(emitter, array + "[" + std::to_string(r) + "]", values[r], type_.row_names[r]);
     close();
@@ -56,8 +55,7 @@ class KernelWriter {
     open(signature);
     Expressions outputs;
     for (const RecordedEntry& e : list) outputs.push_back(e.value);
-    Emitter emitter = begin(outputs);
-    emitter.prepare(outputs);
+    const Emitter emitter = begin(outputs);
     for (std::size_t e = 0; e < list.size(); ++e)
       assign(emitter, "values[slot[" + std::to_string(first + e) + "]]", list[e].value,
              type_.row_names[list[e].row] + ", " + type_.inputs[list[e].input].name);
@@ -187,9 +185,12 @@ class KernelWriter {
     declare_inputs(out_, expressions, declaration, places_, loaded_);
   }
 
+  /// Declares what the outputs read and share. Returns the emitter that writes them.
   Emitter begin(const Expressions& outputs) {
     load(outputs, "const double");
-    return Emitter(out_, "  ", outputs);
+    Emitter emitter(out_, "  ", outputs);
+    emitter.prepare(outputs);
+    return emitter;
   }
 
   void assign(const Emitter& emitter, const std::string& target, Expr value,

@@ -2,7 +2,6 @@
 
 #include <ostream>
 #include <string>
-#include <vector>
 
 #include "formulations/codegen/record/recording.h"
 #include "formulations/model/part_type.h"

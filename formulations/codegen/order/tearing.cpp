@@ -23,7 +23,8 @@ constexpr std::size_t max_set = 4;  // number of equations that are solved toget
 /// Limits of an exhaustive search (≤): number of torn unknowns, and of sets of them.
 constexpr std::size_t max_torn = 3, max_combinations = 3000;
 
-std::vector<int> members(const auto& set, std::size_t n) {
+/// Returns the numbers below n that are in a set.
+std::vector<int> numbers_in(const auto& set, std::size_t n) {
   std::vector<int> result;
   for (std::size_t i = 0; i < n; ++i)
     if (set[i]) result.push_back(static_cast<int>(i));
@@ -96,7 +97,7 @@ bool Tearing::extend(Walk& w, TornOrder& order, std::vector<int>& equations, con
                      std::size_t size) {
   if (equations.size() == size) {
     if (unknowns.count() != size) return false;
-    const std::vector<int> found = members(unknowns, unknowns_.size());
+    const std::vector<int> found = numbers_in(unknowns, unknowns_.size());
     const Match& m = match(found, equations);
     if (!m.form || m.quality < min_quality) return false;
     order.placed.push_back({*m.form, found, equations});
@@ -138,7 +139,7 @@ TornOrder Tearing::walk(const std::vector<int>& torn) {
   }
   order.unplaced = static_cast<int>(w.open.count());
   w.used.flip();
-  order.left_over = members(w.used, w.used.size());
+  order.left_over = numbers_in(w.used, w.used.size());
   return order;
 }
 
@@ -147,7 +148,7 @@ std::optional<TornOrder> Tearing::best_of_size(std::size_t size) {
   std::fill_n(torn.begin(), size, true);
   std::optional<TornOrder> best;
   do {
-    TornOrder order = walk(members(torn, torn.size()));
+    TornOrder order = walk(numbers_in(torn, torn.size()));
     if (order.unplaced == 0 && (!best || rank(order) < rank(*best))) best = std::move(order);
   } while (std::prev_permutation(torn.begin(), torn.end()));  // takes the next set of torn unknowns
   return best;

@@ -1,6 +1,5 @@
 #include "formulations/codegen/order/type_blocks.h"
 
-#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <utility>

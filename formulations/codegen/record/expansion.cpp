@@ -29,8 +29,7 @@ Quadratic sum(Quadratic l, const Quadratic& r) {
 
 std::optional<Quadratic> product(const Quadratic& l, const Quadratic& r) {
   if (!l.products.empty() || !r.products.empty()) return std::nullopt;
-  Quadratic q{{{1, l.rest, r.rest}}, {std::vector<Expr>(l.rest.coefficient.size()), 0}};
-  return q;
+  return Quadratic{{{1, l.rest, r.rest}}, {std::vector<Expr>(l.rest.coefficient.size()), 0}};
 }
 
 }  // namespace

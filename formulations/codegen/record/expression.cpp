@@ -55,9 +55,8 @@ double apply(Op op, double a, double b) {
     case Op::magnitude:
       return std::abs(a);
     default:
-      break;
+      throw std::logic_error("not an operation");
   }
-  throw std::logic_error("not an operation");
 }
 
 /// Returns whether |value| is a power of two. Multiplication by it is exact, except for underflow

@@ -13,7 +13,7 @@ namespace desmo {
 /// without a block repeat the first. In vectors of indices, number k of lane l is at 4 k + l.
 struct BlockBatch {
   /// A block, and where its errors are kept.
-  struct Member {
+  struct PlacedBlock {
     ShapedBlock block;
     GroupId group;
     int order;              ///< position among all blocks in solution order
@@ -21,16 +21,17 @@ struct BlockBatch {
     std::vector<int> rows;  ///< row of each column in ErrorTable
   };
 
-  /// - blocks: 1 to 4, independent and of one shape
+  /// - of_lanes: 1 to 4, independent and of one shape
   /// - magnitudes: of each coordinate, for trial boxes X and the condition number
   /// - columns: largest number of symbols in ErrorTable, which `rounding` counts
-  BlockBatch(std::span<const Member> blocks, const std::vector<double>& magnitudes, int columns);
+  BlockBatch(std::span<const PlacedBlock> of_lanes, const std::vector<double>& magnitudes,
+             int columns);
 
-  int blocks() const { return static_cast<int>(members.size()); }
+  int size() const { return static_cast<int>(blocks.size()); }
   /// Returns the block in a lane; lane < LaneNumbers::count.
-  const Member& in_lane(int lane) const { return members[lane < blocks() ? lane : 0]; }
+  const PlacedBlock& in_lane(int lane) const { return blocks[lane < size() ? lane : 0]; }
 
-  std::vector<Member> members;
+  std::vector<PlacedBlock> blocks;
   BlockEquations equations;
   std::vector<int> plain;               ///< local states that are unknowns or fixed
   std::vector<int> states;              ///< position of each plain one in the model's state

@@ -142,7 +142,7 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
 void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTable& to) const {
   const BlockBatch& b = *batch_;
   const ErrorColumns& e = errors_[level];
-  const int blocks = b.blocks();
+  const int blocks = b.size();
   for (int i = 0; i < shape_->unknowns; ++i) {
     const int* const row = &b.rows[LaneNumbers::count * i];
     const int coordinate = b.coordinates[LaneNumbers::count * i];

@@ -31,7 +31,7 @@ class ScheduleBuilder {
       is_link_[g] ? add_link(definitions[g], static_cast<int>(g)) : add_group(definitions[g]);
     for (auto& [depth, of_depth] : depths_) {
       std::ranges::move(of_depth.links, std::back_inserter(result_.steps));
-      if (!of_depth.members.empty()) result_.steps.push_back(batched(of_depth.members));
+      if (!of_depth.blocks.empty()) result_.steps.push_back(batched(of_depth.blocks));
     }
     for (const CertificationStep& step : result_.steps)
       for (const BlockBatch& batch : step.batches) {
@@ -49,7 +49,7 @@ class ScheduleBuilder {
   /// lower depths are.
   struct Depth {
     std::vector<CertificationStep> links;
-    std::vector<BlockBatch::Member> members;
+    std::vector<BlockBatch::PlacedBlock> blocks;
   };
 
   /// Finds the inputs of each group, how long the longest chain through it is, and which are links.
@@ -79,8 +79,8 @@ class ScheduleBuilder {
 
   /// Returns a block with the rows of its columns in ErrorTable. row: row of each coordinate;
   /// empty: coordinate i has row i.
-  BlockBatch::Member member(const PartDefinition& part, const std::vector<int>& row) {
-    BlockBatch::Member made{
+  BlockBatch::PlacedBlock placed(const PartDefinition& part, const std::vector<int>& row) {
+    BlockBatch::PlacedBlock made{
         shaped_block(m_, part), part.groups.front(), order_++, Level::acceleration, {}};
     for (const int i : made.block.coordinates) made.rows.push_back(row.empty() ? i : row[i]);
     if (!up_to_.empty()) {
@@ -97,17 +97,17 @@ class ScheduleBuilder {
 
   void add_group(const PartDefinition& definition) {
     for (const PartDefinition& part : irreducible_blocks(m_, definition)) {
-      BlockBatch::Member made = member(part, {});
+      BlockBatch::PlacedBlock made = placed(part, {});
       const int depth = depth_of(made.block.inputs());
       for (const int i : part.unknowns) depth_[i] = depth;
-      depths_[depth].members.push_back(std::move(made));
+      depths_[depth].blocks.push_back(std::move(made));
     }
   }
 
   /// Returns a step of batches, each of up to LaneNumbers::count equal blocks.
-  CertificationStep batched(const std::vector<BlockBatch::Member>& members) const {
-    std::vector<std::vector<BlockBatch::Member>> batches;
-    for (const BlockBatch::Member& made : members) {
+  CertificationStep batched(const std::vector<BlockBatch::PlacedBlock>& blocks) const {
+    std::vector<std::vector<BlockBatch::PlacedBlock>> batches;
+    for (const BlockBatch::PlacedBlock& made : blocks) {
       const auto equal = std::ranges::find_if(batches, [&](const auto& batch) {
         return batch.size() < LaneNumbers::count && batch.front().block.shape == made.block.shape &&
                batch.front().block.constants.size() == made.block.constants.size();
@@ -145,7 +145,7 @@ class ScheduleBuilder {
     const int columns = level_count * link.symbols;
     CertificationStep step{{}, static_cast<int>(result_.links.size())};
     for (const PartDefinition& part : irreducible_blocks(m_, definition)) {
-      const BlockBatch::Member made = member(part, row);
+      const BlockBatch::PlacedBlock made = placed(part, row);
       step.batches.emplace_back(std::span(&made, 1), magnitudes_, columns);
     }
     depths_[depth].links.push_back(std::move(step));

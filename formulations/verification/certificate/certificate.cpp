@@ -118,22 +118,22 @@ Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* 
     if (step.link >= 0) load(schedule_->links[step.link]);
     for (BlockBatch& batch : step.batches) {
       const PerLevel<LaneMask> proven = proof_.prove(batch, solved_.back(), errors_, instant.time);
-      for (int lane = 0; lane < batch.blocks(); ++lane) {
-        const BlockBatch::Member& member = batch.members[lane];
+      for (int lane = 0; lane < batch.size(); ++lane) {
+        const BlockBatch::PlacedBlock& block = batch.blocks[lane];
         if (const double condition = proof_.condition()[lane]; condition > result.condition) {
           result.condition = condition;
-          result.worst_conditioned = member.group;
+          result.worst_conditioned = block.group;
         }
         // Where a level is proven, all lower ones are.
-        const Level last = std::min(member.solved, solved_.back());
-        if (proven[last][lane] || member.order > first_failure) continue;
-        first_failure = member.order;
+        const Level last = std::min(block.solved, solved_.back());
+        if (proven[last][lane] || block.order > first_failure) continue;
+        first_failure = block.order;
         result.proven = false;
-        result.group = member.group;
+        result.group = block.group;
         result.failure = proof_.failure(lane);
         if (result.failure != ProofFailure::singular) continue;
         result.condition = INFINITY;
-        result.worst_conditioned = member.group;
+        result.worst_conditioned = block.group;
       }
     }
     if (step.link >= 0) leave(schedule_->links[step.link]);

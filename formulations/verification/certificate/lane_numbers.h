@@ -11,6 +11,9 @@
 namespace desmo {
 
 /// Four numbers in a register, one for each of four equal blocks. Operations act lane by lane.
+/// std::experimental::simd would not do. In GCC 12 its fma() is scalar in some loops, its max()
+/// assumes that there is no NaN, and its sin() and cos() are rounded otherwise than those of
+/// <cmath>.
 struct LaneNumbers {
   static constexpr int count = 4;
   using Numbers [[gnu::vector_size(32)]] = double;
@@ -20,40 +23,32 @@ struct LaneNumbers {
 
   LaneNumbers() = default;
   LaneNumbers(double same) : v{same, same, same, same} {}
-  explicit LaneNumbers(const Numbers& numbers) : v(numbers) {}
+  LaneNumbers(const Numbers& numbers) : v(numbers) {}
   double operator[](int lane) const { return v[lane]; }
   void set(int lane, double x) { v[lane] = x; }
 
-  friend LaneNumbers operator-(const LaneNumbers& a) { return LaneNumbers(-a.v); }
-  friend LaneNumbers operator+(const LaneNumbers& a, const LaneNumbers& b) {
-    return LaneNumbers(a.v + b.v);
-  }
-  friend LaneNumbers operator-(const LaneNumbers& a, const LaneNumbers& b) {
-    return LaneNumbers(a.v - b.v);
-  }
-  friend LaneNumbers operator*(const LaneNumbers& a, const LaneNumbers& b) {
-    return LaneNumbers(a.v * b.v);
-  }
-  friend LaneNumbers operator/(const LaneNumbers& a, const LaneNumbers& b) {
-    return LaneNumbers(a.v / b.v);
-  }
+  friend LaneNumbers operator-(const LaneNumbers& a) { return -a.v; }
+  friend LaneNumbers operator+(const LaneNumbers& a, const LaneNumbers& b) { return a.v + b.v; }
+  friend LaneNumbers operator-(const LaneNumbers& a, const LaneNumbers& b) { return a.v - b.v; }
+  friend LaneNumbers operator*(const LaneNumbers& a, const LaneNumbers& b) { return a.v * b.v; }
+  friend LaneNumbers operator/(const LaneNumbers& a, const LaneNumbers& b) { return a.v / b.v; }
   LaneNumbers& operator+=(const LaneNumbers& a) { return v += a.v, *this; }
   LaneNumbers& operator*=(const LaneNumbers& a) { return v *= a.v, *this; }
 
   friend LaneNumbers abs(const LaneNumbers& a) {
-    return LaneNumbers((Numbers)((Bits)a.v & (Bits{} + 0x7fff'ffff'ffff'ffff)));
+    return (Numbers)((Bits)a.v & (Bits{} + 0x7fff'ffff'ffff'ffff));
   }
   /// Return the smaller and the larger number; b where one of them is not a number.
   friend LaneNumbers min(const LaneNumbers& a, const LaneNumbers& b) {
-    return LaneNumbers(a.v < b.v ? a.v : b.v);
+    return a.v < b.v ? a.v : b.v;
   }
   friend LaneNumbers max(const LaneNumbers& a, const LaneNumbers& b) {
-    return LaneNumbers(a.v > b.v ? a.v : b.v);
+    return a.v > b.v ? a.v : b.v;
   }
   /// Returns a b + c, rounded once.
   friend LaneNumbers fma(const LaneNumbers& a, const LaneNumbers& b, const LaneNumbers& c) {
 #ifdef __FMA__
-    return LaneNumbers((Numbers)_mm256_fmadd_pd(a.v, b.v, c.v));
+    return (Numbers)_mm256_fmadd_pd(a.v, b.v, c.v);
 #else
     return of_each([](double x, double y, double z) { return std::fma(x, y, z); }, a, b, c);
 #endif
@@ -129,7 +124,7 @@ inline LaneMask is_zero(const LaneNumbers& a) {
 inline LaneMask is_finite(const LaneNumbers& a) { return less(abs(a), INFINITY); }
 /// Returns a where the mask is true, elsewhere b.
 inline LaneNumbers select(LaneMask mask, const LaneNumbers& a, const LaneNumbers& b) {
-  return LaneNumbers(mask.bits ? a.v : b.v);
+  return mask.bits ? a.v : b.v;
 }
 
 /// Transposes a 4 × 4 matrix, whose rows these are.

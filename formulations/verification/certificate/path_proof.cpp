@@ -142,7 +142,7 @@ LaneMask PathProof::prove(BlockBatch& b) {
   }
   for (int i = 0; i < n; ++i) {
     const LaneNumbers radius = (image_[i] + contracted_[i]) * (1 + 4 * unit);
-    for (int lane = 0; lane < b.blocks(); ++lane)
+    for (int lane = 0; lane < b.size(); ++lane)
       if (proven[lane]) paths_[b.coordinates[LaneNumbers::count * i + lane]].radius = radius[lane];
   }
   return proven;
@@ -155,8 +155,8 @@ PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedIn
   for (CertificationStep& step : schedule_->steps)
     for (BlockBatch& b : step.batches) {
       const LaneMask proven = prove(b);
-      for (int lane = 0; lane < b.blocks(); ++lane)
-        if (!proven[lane]) return {.group = b.members[lane].group};
+      for (int lane = 0; lane < b.size(); ++lane)
+        if (!proven[lane]) return {.group = b.blocks[lane].group};
     }
   return {.proven = true};
 }
