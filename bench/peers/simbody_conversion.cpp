@@ -54,7 +54,8 @@ class Builder {
       follow(mechanism_.vectors[v].name, body, false, mechanism_.vectors[v].direction);
   }
 
-  /// Joins two bodies by a rod of the mechanism, whose own vectors are not found.
+  /// Adds a constraint that keeps a point of each body at the distance of a rod's length. The tree
+  /// has no body for the rod: its vectors are not followed.
   void join(const std::string& rod, int first, const std::string& begin, int last,
             const std::string& end) {
     const double length =

@@ -212,14 +212,15 @@ void Batch::bind(const PartOutputs& outputs) {
   for (std::size_t i = 0; i < in_state.size(); ++i)
     in_state[i] = outputs.observed[i] ? static_cast<int>(i) : -1;
   observed_ = targets(unknowns_, in_state);
-  // The batch delivers levels up to outputs.level, that of its unknowns. Drivers may be requested
-  // up to a higher level: others then deliver them.
+  // Drivers are delivered only at accelerations, which no request exceeds. Below, a request of
+  // drivers may have a higher level than that of the unknowns: others then deliver them.
   if (!outputs.places.empty())
     delivered_ = targets(outputs.level == Level::acceleration ? own_ : unknowns_, outputs.places);
 }
 
-/// Returns the table that scatters numbers of all subsystems. places: for each position in the
-/// state the place in the target; −1: none. Each place is used once: it becomes −1.
+/// Returns the table that scatters the local coordinates `numbers` of all subsystems. places: for
+/// each position in the state the place in the target; −1: none. Each place is used once: it
+/// becomes −1.
 Scatter Batch::targets(std::span<const int> numbers, std::span<int> places) const {
   LanePlaces to(lanes_, std::vector<int>(places_.front().size(), -1));
   for (std::size_t l = 0; l < subsystems_.size(); ++l)

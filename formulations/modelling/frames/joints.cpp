@@ -172,10 +172,10 @@ class FrameWriter {
   std::string name_;
 };
 
-/// Closes the vectors that a body shares with earlier bodies. In space, the first one closes by
-/// products with two of its normals on this body. It leaves a turn about itself. A further one
-/// shared with the same body closes by a product with their common normal, unless they are
-/// parallel.
+/// Closes the vectors that a body shares with earlier bodies. In the plane: by the product of the
+/// vector with its normal. In space, the first vector shared with another body closes by products
+/// with two of its normals; a turn about the vector stays free. A further one shared with that body
+/// closes by the product with the normal of both, unless they are parallel.
 void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes, int r) {
   std::vector<std::pair<int, int>> closed;  // other bodies, each with a vector that is closed
   const std::vector<int> vectors = framed.rigid.list[r].vectors;

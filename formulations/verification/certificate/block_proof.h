@@ -67,7 +67,8 @@ class BlockProof {
   PerLevel<ErrorColumns> errors_;              // (n + m)
   Preconditioner preconditioner_;
   LaneNumbers condition_;
-  // Midpoints and radii of Φ + Φ_h δ or, for rates, of Φ̇ or Φ̈ + Φ_h δ + lower terms (n).
+  // Midpoints and radii of Φ + Φ_h δ (n), before they are multiplied by Y. At rates, Φ̇ or Φ̈ takes
+  // the place of Φ, and lower terms are added. h: inputs; δ: their errors.
   std::vector<LaneNumbers> centre_, uncertainty_;
   std::vector<LaneNumbers> trial_;       // radii of X (n)
   std::vector<LaneNumbers> contracted_;  // bound on |(I − Y Φ_φ(X)) X| (n)
