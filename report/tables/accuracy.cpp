@@ -18,7 +18,7 @@ double max_floor(const Record& record) {
 
 /// Returns the time of a step of a point; for null missing_mark.
 Entry point_time_entry(const NamedPoint* point) {
-  return point ? step_time_entry(point->second.time.seconds) : note_entry(missing_mark);
+  return point ? step_time_entry(point->second.time) : note_entry(missing_mark);
 }
 
 /// Returns a speed-up with its interval; for null missing_mark.
