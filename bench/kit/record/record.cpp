@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formulations/base/per_level.h"
+#include "results/schema_version.h"
 
 namespace desmo::bench {
 

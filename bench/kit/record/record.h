@@ -13,9 +13,6 @@
 
 namespace desmo::bench {
 
-/// Version of results/record.schema.json and results/check.schema.json that is written.
-inline constexpr const char* schema_version = "3.0.0";
-
 /// A writer of one record. Its constructor opens the file before anything is measured, so that an
 /// unusable path is found at once. write() is called once, after all measurements.
 class RecordWriter {
