@@ -30,6 +30,8 @@
 namespace desmo::paper::candidates_test {
 namespace {
 
+using namespace bench;
+
 void spend(double seconds) {
   for (const double start = cpu_now(); cpu_now() - start < seconds;) {
   }

@@ -24,6 +24,8 @@
 namespace desmo::paper::digests_test {
 namespace {
 
+using namespace bench;
+
 // The digest of "abc" is that of FIPS 180-2, appendix B.
 TEST(Digests, AreSha256) {
   EXPECT_EQ(Digest().add("abc").hex(),

@@ -17,6 +17,8 @@
 namespace desmo::paper::requests_test {
 namespace {
 
+using namespace bench;
+
 struct Requests : testing::Test {
   Options options = [] {
     Options o;

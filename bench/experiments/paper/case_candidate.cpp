@@ -17,6 +17,8 @@
 
 namespace desmo::paper {
 
+using namespace bench;
+
 namespace {
 
 constexpr int profiled_instants = 51;

@@ -17,6 +17,8 @@
 
 namespace desmo::paper {
 
+using namespace bench;
+
 namespace {
 
 /// Our formulations that peers are compared with: the nearest in method, the counterpart of the

@@ -11,6 +11,8 @@
 
 namespace desmo::paper {
 
+using namespace bench;
+
 namespace {
 
 /// Returns the time that measuring one phase takes by itself [s].

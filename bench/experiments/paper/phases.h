@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "bench/experiments/paper/options.h"
 #include "cases/mechanism/motion.h"
 #include "formulations/parts/profile.h"
 #include "formulations/variants.h"

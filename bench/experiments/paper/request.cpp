@@ -19,6 +19,8 @@
 
 namespace desmo::paper {
 
+using namespace bench;
+
 namespace {
 
 /// Formulations with which requests are timed: the reference, and generated ones that solve all at
