@@ -44,10 +44,6 @@ double position_error(const NamedPoint& point) { return *point.second.error.posi
 
 double step_seconds(const NamedPoint& point) { return std::ranges::min(point.second.time.seconds); }
 
-SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
-  return speed_up(summarise(reference.second.time), summarise(variant.second.time));
-}
-
 const NamedPoint* cheapest(const Points& points, double max_error,
                            const std::function<bool(const Configuration&)>& may) {
   const NamedPoint* best = nullptr;

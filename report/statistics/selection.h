@@ -35,9 +35,6 @@ bool is_solved(const NamedPoint& point);
 double position_error(const NamedPoint& point);  ///< largest relative error of a solved point
 double step_seconds(const NamedPoint& point);    ///< least sample [s] of a step of a solved point
 
-/// Returns the ratio of the least samples of a step of two solved points.
-SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant);
-
 /// Returns the fastest of the solved points with position error ≤ max_error whose configuration
 /// fulfils `may`; null when there is none.
 const NamedPoint* cheapest(

@@ -80,6 +80,9 @@ struct SpeedUp {
 /// - else of the sums of least window times, where both have as many windows, two or more
 /// - else of the medians
 SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant);
+inline SpeedUp speed_up(const Time& reference, const Time& variant) {
+  return speed_up(summarise(reference), summarise(variant));
+}
 
 /// Returns the arithmetic mean of each member, also of percentages, as in the last row of the
 /// paper's table 2. It has an interval if all sizes have one. sizes: one or more.

@@ -25,7 +25,7 @@ Entry point_time_entry(const NamedPoint* point) {
 Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant) {
   if (!reference || !variant) return note_entry(missing_mark);
   if (reference == variant) return reference_entry();
-  return ratio_entry(speed_up(*reference, *variant));
+  return ratio_entry(speed_up(reference->second.time, variant->second.time));
 }
 
 /// The fastest point with position error ≤ accuracy, and two that it is compared with; null where
@@ -36,6 +36,9 @@ struct Choice {
         same(best ? cheapest_of_paper(points, best->second.configuration.formulation, accuracy)
                   : nullptr),
         global(cheapest_of_paper(points, usual_reference, accuracy)) {}
+
+  /// Returns the speed-up of the best point relative to `global`; both must be there.
+  double gain() const { return speed_up(global->second.time, best->second.time).value; }
 
   const NamedPoint *best,
       *same,    ///< fastest point of the same formulation with the paper's settings
@@ -138,8 +141,7 @@ Section accuracy_front(const Record& record) {
     const Choice choice(points, accuracy);
     const bool is_held = choice.best && choice.global;
     const TextValue error("error", write_shortest(accuracy)),
-        times("times", is_held ? write_significant(speed_up(*choice.global, *choice.best).value, 3)
-                               : missing_mark);
+        times("times", is_held ? write_significant(choice.gain(), 3) : missing_mark);
     section.numbers.push_back(sentence("accuracy.times", {error, times}));
     if (!is_held) continue;
     const double seconds = step_seconds(*choice.best),
