@@ -37,10 +37,8 @@ class RequestCandidate final : public bench::FormulationCandidate {
   std::string name() const override;
   void add_to(nlohmann::ordered_json& lists) const override;
 
-  const PlannedRequest& request() const { return *request_; }
-
  private:
-  const std::shared_ptr<const PlannedRequest> request_;
+  const std::shared_ptr<const PlannedRequest> planned_;
 };
 
 /// Returns every request of the library with every formulation that requests are timed with, on one
