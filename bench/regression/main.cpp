@@ -17,7 +17,6 @@
 
 #include "bench/kit/candidate_name.h"
 #include "bench/kit/exit_codes.h"
-#include "bench/kit/options.h"
 #include "bench/regression/counts.h"
 #include "bench/regression/rounds.h"
 #include "cases/io/new_files.h"

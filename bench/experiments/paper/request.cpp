@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bench/experiments/paper/entry_json.h"
 #include "bench/experiments/paper/extended_ids.h"
+#include "bench/kit/record/record.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"

@@ -144,7 +144,7 @@ TEST(RecordReader, RefusesARecordOfTwoOrigins) {
   EXPECT_EQ(complaint(json), "accepted");
 }
 
-TEST(RecordReader, FailsTheCellThatExceedsWhatIsAllowed) {
+TEST(RecordReader, FailsTheCandidateThatExceedsWhatIsAllowed) {
   Json json = complete_record();
   Json& candidate = candidate_of(json, 558, "group_symbolic_lapack");
   const CandidateKey key{truck, 558, "group_symbolic_lapack"};

@@ -89,7 +89,7 @@ TEST(Comparability, APeerWithoutDigestIsNoDifference) {
   EXPECT_EQ(reasons(json, json), Names{});
 }
 
-TEST(Comparability, WithoutACellInCommonThereIsNothingToCompare) {
+TEST(Comparability, WithoutACandidateInCommonThereIsNothingToCompare) {
   Json other = origins_record();
   for (Json& candidate : other["paper"]["candidates"])
     candidate["id"] = "other_" + candidate["id"].get<std::string>();
