@@ -38,7 +38,9 @@ struct Choice {
         global(cheapest_of_paper(points, usual_reference, accuracy)) {}
 
   /// Returns the speed-up of the best point relative to `global`; both must be there.
-  double gain() const { return speed_up(global->second.time, best->second.time).value; }
+  double speed_up_over_global() const {
+    return speed_up(global->second.time, best->second.time).value;
+  }
 
   const NamedPoint *best,
       *same,    ///< fastest point of the same formulation with the paper's settings
@@ -141,7 +143,8 @@ Section accuracy_front(const Record& record) {
     const Choice choice(points, accuracy);
     const bool is_held = choice.best && choice.global;
     const TextValue error("error", write_shortest(accuracy)),
-        times("times", is_held ? write_significant(choice.gain(), 3) : missing_mark);
+        times("times",
+              is_held ? write_significant(choice.speed_up_over_global(), 3) : missing_mark);
     section.numbers.push_back(sentence("accuracy.times", {error, times}));
     if (!is_held) continue;
     const double seconds = step_seconds(*choice.best),
