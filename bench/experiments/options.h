@@ -25,6 +25,11 @@ struct CommonOptions {
   bool quick = false;   ///< measure only what CommonHelp::quick says
   int repetitions = 0;  ///< samples of each time; 0: as many as the experiment takes by itself
   std::string filter;   ///< regular expression; empty: everything
+
+  /// Returns the number of samples of each time: `usual` ones unless the user chooses.
+  int samples(int usual, int in_quick_run) const {
+    return repetitions > 0 ? repetitions : quick ? in_quick_run : usual;
+  }
 };
 
 /// Meanings of the common options in one experiment, for its help.

@@ -64,7 +64,7 @@ std::string model_digest(const Model& m) {
   return Digest().add(text).hex();
 }
 
-std::int64_t rounded(double value, double reference, double unit) {
+std::int64_t nearest_multiple(double value, double reference, double unit) {
   const double counted = std::abs(value - reference) <= unit ? reference : value;
   const double multiple = std::nearbyint(counted / unit);
   return std::abs(multiple) <= 1e18 ? static_cast<std::int64_t>(multiple)

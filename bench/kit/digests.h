@@ -22,6 +22,6 @@ std::string model_digest(const Model& model);
 /// counts as the reference, so all such values have the same multiple. A value farther away has
 /// another multiple than the reference. NaN, and all values whose magnitude exceeds 10¹⁸ units,
 /// have one common multiple.
-std::int64_t rounded(double value, double reference, double unit);
+std::int64_t nearest_multiple(double value, double reference, double unit);
 
 }  // namespace desmo::bench

@@ -62,7 +62,7 @@ Comparison ComparingObserver::compare() const {
       const double value = values_at(state, level)[delivered];
       const double right = values_at(reference_[r], level)[reference];
       raise_to_difference(errors[level], value / scale, right / scale);
-      const auto multiple = rounded(value, right, allowed_difference[level] * scale);
+      const auto multiple = nearest_multiple(value, right, allowed_difference[level] * scale);
       results.add(std::to_string(multiple) + ' ');
     }
   }

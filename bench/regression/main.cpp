@@ -17,11 +17,10 @@
 
 #include "bench/kit/candidate_name.h"
 #include "bench/kit/exit_codes.h"
-#include "bench/kit/options.h"
-#include "bench/kit/record/record.h"
 #include "bench/regression/counts.h"
 #include "bench/regression/rounds.h"
 #include "cases/io/new_files.h"
+#include "results/schema_version.h"
 
 namespace desmo::regression {
 
@@ -90,7 +89,7 @@ void bring_up_to_date(Json& record) {
   if (!paper.contains("cells")) return;
   paper["candidates"] = paper["cells"];
   paper.erase("cells");
-  record["schema_version"] = bench::schema_version;
+  record["schema_version"] = schema_version;
 }
 
 /// Returns a record for each side, under its name, made by verifying the named candidates there.
@@ -166,7 +165,7 @@ void measure(const Options& o) {
   const Names all = all_names(sides.back());
   for (const std::string& name : o.names) require_known(all, name, "--candidate");
   const Names& chosen = o.names.empty() ? all : o.names;
-  Json check = {{"schema", "desmo-check"}, {"schema_version", bench::schema_version}};
+  Json check = {{"schema", "desmo-check"}, {"schema_version", schema_version}};
   check["settings"] = {{"seed", o.seed},
                        {"turns", TimingSettings::turns},
                        {"repetitions", TimingSettings::repetitions}};

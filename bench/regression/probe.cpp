@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/exit_codes.h"
 #include "bench/kit/memory.h"
-#include "bench/kit/options.h"
 #include "bench/kit/time/clock.h"
 #include "bench/regression/measured_candidates.h"
 #include "bench/regression/rounds.h"

@@ -44,8 +44,18 @@ Measurement read_candidate(const RecordValue& node, const RecordSettings& settin
   return candidate;
 }
 
+/// Reads the key of a candidate or request. Its id has the number of threads, which the table of
+/// threads shows.
+CandidateKey read_timed_key(const RecordValue& node) {
+  static const std::regex no_number("/threads:(?![1-9][0-9]{0,8}(/|$))");
+  CandidateKey key = read_key(node);
+  if (std::regex_search(key.id, no_number))
+    node["id"].complain(in_double_quotes(key.id) + " has no number of threads");
+  return key;
+}
+
 MeasuredRequest read_request(const RecordValue& node, const RecordSettings& settings) {
-  const CandidateKey key = read_key(node);
+  const CandidateKey key = read_timed_key(node);
   const RecordValue level = node["level"];
   const std::size_t highest = level.one_of({"position", "velocity", "acceleration"});
   MeasuredRequest request{read_solved(node, settings, key.id),
@@ -100,11 +110,7 @@ void read_paper(Record& record, const RecordValue& experiment) {
   const RecordSettings& settings = record.settings;
   for (const char* list : {"candidates", "cells"})  // "cells" until schema 3.0.0
     read_each(experiment, list, [&](const RecordValue& node) {
-      const CandidateKey key = read_key(node);
-      // The table of threads reads their number from the id, since a failed candidate has no other.
-      static const std::regex no_number("/threads:(?![1-9][0-9]{0,8}(/|$))");
-      if (std::regex_search(key.id, no_number))
-        node["id"].complain(in_double_quotes(key.id) + " has no number of threads");
+      const CandidateKey key = read_timed_key(node);
       add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,
                read_candidate(node, settings, key.id), name_of(key));
     });
@@ -113,7 +119,7 @@ void read_paper(Record& record, const RecordValue& experiment) {
     MeasuredRequest request = read_request(node, settings);
     if (!seen.emplace(request.key, request.name).second)
       node.complain("the request " + request.name + " of " + request.key.id + " is given twice");
-    if (!is_by_wall(request.key.id)) record.requests.push_back(std::move(request));
+    record.requests.push_back(std::move(request));
   });
   read_each(experiment, "peers", [&](const RecordValue& node) {
     record.peers.push_back(read_peer(node, settings));

@@ -89,7 +89,7 @@ void require_clock(const RecordValue& time, Clock clock, std::string_view what);
 /// timing windows, where the settings have some. By the wall clock the whole motion is one window.
 Time read_time(const RecordValue& node, const RecordSettings& settings, std::string_view id);
 
-/// Reads the time of a step, which must be by the CPU clock.
+/// Reads the time of a step, which must be by the CPU clock and is one window.
 Time read_step_time(const RecordValue& node);
 
 }  // namespace desmo::report

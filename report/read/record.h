@@ -107,7 +107,7 @@ struct Record {
   std::map<CandidateKey, Measurement> candidates;       ///< by CPU clock; verified when ok
   std::map<CandidateKey, Measurement> wall_candidates;  ///< by wall clock; verified when ok
   std::map<CandidateKey, Profile> profiles;
-  std::vector<MeasuredRequest> requests;  ///< requests by the CPU clock, in the record's order
+  std::vector<MeasuredRequest> requests;  ///< requests by either clock, in the record's order
   std::vector<Peer> peers;                ///< peers, by the CPU clock, in the record's order
   // accuracy
   std::map<SeriesKey, Floor> floors;  ///< one for every series that has points

@@ -7,12 +7,9 @@
 
 #include "cases/io/input_error.h"
 #include "report/read/record_value.h"
+#include "results/schema_version.h"
 
 namespace desmo::report {
-
-/// The schema version that is known in full. Other versions with its major version, or the one
-/// before, are read, too; CHANGELOG.md says what they promise.
-inline constexpr const char* schema_version = "3.0.0";
 
 // Results files that cannot be read throw InputError, whose message names file and place.
 

@@ -36,11 +36,10 @@ std::vector<double> least_of(const std::vector<std::vector<double>>& samples, st
   return least;
 }
 
-// Returns the whole motion as the only window. Several threads deliver instants in another order
-// every time, so that a piece of the motion has no time of its own.
-Windows one_window(const RecordSettings& settings, const std::vector<double>& seconds) {
+// Returns the time of so many instants as the only window.
+Windows one_window(std::int64_t instants, const std::vector<double>& seconds) {
   Windows whole{.least = {std::ranges::min(seconds)},
-                .instants = {static_cast<double>(settings.instants)},
+                .instants = {static_cast<double>(instants)},
                 .updates = {0}};
   for (const double sample : seconds) whole.samples.push_back({sample});
   return whole;
@@ -94,7 +93,9 @@ Time read_time(const RecordValue& node, const RecordSettings& settings, std::str
   Time time{clock, read_samples(node["seconds"]), {}};
   if (!settings.windows) return time;
   if (clock == Clock::wall) {
-    time.windows = one_window(settings, time.seconds);
+    // Several threads deliver instants in another order every time, so that a piece of the motion
+    // has no time of its own.
+    time.windows = one_window(settings.instants, time.seconds);
     return time;
   }
   const RecordValue windows = node["windows"];
@@ -105,7 +106,9 @@ Time read_time(const RecordValue& node, const RecordSettings& settings, std::str
 
 Time read_step_time(const RecordValue& node) {
   require_clock(node, Clock::cpu, "a step");
-  return {Clock::cpu, read_samples(node["seconds"]), {}};
+  std::vector<double> seconds = read_samples(node["seconds"]);
+  Windows step = one_window(1, seconds);
+  return {Clock::cpu, std::move(seconds), std::move(step)};
 }
 
 Status read_status(const RecordValue& node) {

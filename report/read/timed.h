@@ -26,8 +26,8 @@ enum class Clock {
 };
 
 /// Times of the timing windows into which a motion is cut: pieces between two clock readings, whose
-/// numbers of instants differ by one at most. Vectors have one element for each window, or are
-/// empty where the record has none.
+/// numbers of instants differ by one at most. A time that is not cut may count as one window.
+/// Vectors have one element for each window, or are empty where the record has none.
 struct Windows {
   std::vector<double> least = {};  ///< least time [s] that any analysis took
   // The following are empty where updates are not counted.
@@ -40,7 +40,9 @@ struct Windows {
 struct Time {
   Clock clock = Clock::cpu;
   std::vector<double> seconds;  ///< samples [s], one for each repetition
-  Windows windows;  ///< empty unless the record's settings have windows; one by the wall clock
+  /// One for a step. For a motion: none unless the record's settings have windows; one by the wall
+  /// clock.
+  Windows windows;
 };
 
 /// Tells whether a formulation with this id is measured by the wall clock.

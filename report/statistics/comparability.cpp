@@ -39,8 +39,11 @@ std::vector<TimedGroup> timed_groups(const Record& record) {
 }
 
 CandidateKey reference_of(const CandidateKey& key) {
-  if (is_by_wall(key.id))
-    return {key, without_setting(without_setting(key.id, "threads"), "clock") + "/clock:wall"};
+  if (is_by_wall(key.id)) {
+    const std::string request(request_of(key.id)), all = without_setting(key.id, "request");
+    return {key,
+            without_setting(without_setting(all, "threads"), "clock") + "/clock:wall" + request};
+  }
   std::string suffix;
   for (const char* part : {"/request:", "/step:"})
     if (const std::size_t at = key.id.find(part); at != key.id.npos) suffix = key.id.substr(at);

@@ -43,7 +43,7 @@ std::vector<TimedGroup> timed_groups(const Record& record);
 
 /// Returns the key of a key's reference. The speed-up of a key is the reference's time divided by
 /// its own. By the CPU clock, the reference is the usual one with the same case, size, request and
-/// step; by the wall clock, it is the same analysis on one thread.
+/// step; by the wall clock, it is the same analysis or request on one thread.
 CandidateKey reference_of(const CandidateKey& key);
 
 }  // namespace desmo::report

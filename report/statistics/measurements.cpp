@@ -18,8 +18,7 @@ Measured measured(const Record& record, const CandidateKey& key) {
 Measured measured(const Measurement& candidate) {
   if (candidate.status != Status::ok)
     return {std::nullopt, candidate.status == Status::failed ? failed_mark : not_run_mark};
-  const Time& time = candidate.time;
-  return {summarise(time.seconds, time.windows), {}, time.clock};
+  return {summarise(candidate.time), {}, candidate.time.clock};
 }
 
 Measurements measurements_by(Clock clock, const Record& record) {

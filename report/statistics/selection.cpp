@@ -38,17 +38,6 @@ std::vector<std::string> guesses_of(const Points& points) {
   return names;
 }
 
-bool is_solved(const NamedPoint& point) { return point.second.status == Status::ok; }
-
-double position_error(const NamedPoint& point) { return *point.second.error.position; }
-
-double step_seconds(const NamedPoint& point) { return std::ranges::min(point.second.time.seconds); }
-
-SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
-  return speed_up(summarise_step(reference.second.time.seconds),
-                  summarise_step(variant.second.time.seconds));
-}
-
 const NamedPoint* cheapest(const Points& points, double max_error,
                            const std::function<bool(const Configuration&)>& may) {
   const NamedPoint* best = nullptr;

@@ -1,6 +1,7 @@
 // Choosing among the points of a record's accuracy experiment, and their times.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <string>
@@ -31,12 +32,13 @@ Points solving_every_instant(Points points);
 /// Returns the paper's guess, then the other guesses of some points, each once.
 std::vector<std::string> guesses_of(const Points& points);
 
-bool is_solved(const NamedPoint& point);
-double position_error(const NamedPoint& point);  ///< largest relative error of a solved point
-double step_seconds(const NamedPoint& point);    ///< least sample [s] of a step of a solved point
-
-/// Returns the ratio of the least samples of a step of two solved points.
-SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant);
+inline bool is_solved(const NamedPoint& point) { return point.second.status == Status::ok; }
+/// Returns the largest relative position error of a solved point.
+inline double position_error(const NamedPoint& point) { return *point.second.error.position; }
+/// Returns the least sample [s] of a step of a solved point.
+inline double step_seconds(const NamedPoint& point) {
+  return std::ranges::min(point.second.time.seconds);
+}
 
 /// Returns the fastest of the solved points with position error ≤ max_error whose configuration
 /// fulfils `may`; null when there is none.

@@ -110,15 +110,6 @@ SampleSummary summarise(std::span<const double> samples, const Windows& windows)
   return s;
 }
 
-SampleSummary summarise_step(std::span<const double> samples) {
-  SampleSummary s = summarise(samples);
-  std::vector<double> others(samples.begin(), samples.end());
-  if (others.size() > 1) others.erase(std::ranges::min_element(others));
-  s.value = s.least;
-  s.without_best = std::ranges::min(others);
-  return s;
-}
-
 SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant) {
   const bool sampled = reference.without_best && variant.without_best;
   const bool paired =

@@ -30,17 +30,15 @@ struct SampleSummary {
   /// The time of the measurement.
   /// - with samples of timing windows: the undisturbed time
   /// - with least times of windows alone: the sum of these
-  /// - without windows: the median; of a step, the least sample
+  /// - without windows: the median
   double value = 0;
   double median = 0;  ///< median of the samples; of an even count the mean of the two in the middle
   double least = 0;   ///< least sample
   double largest = 0;           ///< largest sample
   std::size_t count = 0;        ///< number of samples
   std::vector<double> windows;  ///< least time of each timing window; empty: there are none
-  /// The time without the best repetition.
-  /// - with samples of timing windows of two repetitions or more: the largest undisturbed time that
-  ///   results when one repetition is left out
-  /// - of a step: the second least sample; where there is one sample, that sample
+  /// The time without the best repetition: the largest undisturbed time that results when one
+  /// repetition is left out. None unless there are samples of timing windows of two or more.
   std::optional<double> without_best = {};
   bool has_interval() const { return count >= min_for_interval; }
   double half_range() const { return (largest - least) / 2; }
@@ -49,9 +47,8 @@ struct SampleSummary {
 /// Summarises one sample or more [s], with the timing windows that they consist of, where known.
 SampleSummary summarise(std::span<const double> samples, const Windows& windows = {});
 
-/// Summarises samples of a step [s], one or more. The time is the least sample. The second least,
-/// `without_best`, shows how well the least can be repeated.
-SampleSummary summarise_step(std::span<const double> samples);
+/// Summarises a time. Of a step it is the least sample, and `without_best` the second least.
+inline SampleSummary summarise(const Time& time) { return summarise(time.seconds, time.windows); }
 
 /// Largest relative half-width of the interval of a speed-up that is not marked as inconclusive, ≤.
 /// An idle machine reaches 0.02.
@@ -83,6 +80,9 @@ struct SpeedUp {
 /// - else of the sums of least window times, where both have as many windows, two or more
 /// - else of the medians
 SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant);
+inline SpeedUp speed_up(const Time& reference, const Time& variant) {
+  return speed_up(summarise(reference), summarise(variant));
+}
 
 /// Returns the arithmetic mean of each member, also of percentages, as in the last row of the
 /// paper's table 2. It has an interval if all sizes have one. sizes: one or more.

@@ -18,14 +18,14 @@ double max_floor(const Record& record) {
 
 /// Returns the time of a step of a point; for null missing_mark.
 Entry point_time_entry(const NamedPoint* point) {
-  return point ? step_time_entry(point->second.time.seconds) : note_entry(missing_mark);
+  return point ? step_time_entry(point->second.time) : note_entry(missing_mark);
 }
 
 /// Returns a speed-up with its interval; for null missing_mark.
 Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant) {
   if (!reference || !variant) return note_entry(missing_mark);
   if (reference == variant) return reference_entry();
-  return ratio_entry(speed_up(*reference, *variant));
+  return ratio_entry(speed_up(reference->second.time, variant->second.time));
 }
 
 /// The fastest point with position error ≤ accuracy, and two that it is compared with; null where
@@ -36,6 +36,11 @@ struct Choice {
         same(best ? cheapest_of_paper(points, best->second.configuration.formulation, accuracy)
                   : nullptr),
         global(cheapest_of_paper(points, usual_reference, accuracy)) {}
+
+  /// Returns the speed-up of the best point relative to `global`; both must be there.
+  double speed_up_over_global() const {
+    return speed_up(global->second.time, best->second.time).value;
+  }
 
   const NamedPoint *best,
       *same,    ///< fastest point of the same formulation with the paper's settings
@@ -138,8 +143,8 @@ Section accuracy_front(const Record& record) {
     const Choice choice(points, accuracy);
     const bool is_held = choice.best && choice.global;
     const TextValue error("error", write_shortest(accuracy)),
-        times("times", is_held ? write_significant(speed_up(*choice.global, *choice.best).value, 3)
-                               : missing_mark);
+        times("times",
+              is_held ? write_significant(choice.speed_up_over_global(), 3) : missing_mark);
     section.numbers.push_back(sentence("accuracy.times", {error, times}));
     if (!is_held) continue;
     const double seconds = step_seconds(*choice.best),

@@ -45,12 +45,12 @@ std::optional<CandidateKey> best_reference(const Record& record) {
   return fastest(record, in_front(record), is_reference);
 }
 
-/// Finds the fastest formulation by groups or blocks with the guess, iterations and tolerance of a
+/// Finds the fastest generated elimination with the guess, iterations and tolerance of a
 /// configuration. side_by_side: is_side_by_side().
 std::optional<CandidateKey> generated_like(const Record& record, const Configuration& like,
                                            std::string_view side_by_side) {
   return fastest(record, in_front(record), [&](const Configuration& c) {
-    return !c.formulation.starts_with("global_") && c.iterates_like(like) &&
+    return algebra_kind(c.formulation) == "generated" && c.iterates_like(like) &&
            is_side_by_side(c, side_by_side);
   });
 }
@@ -72,8 +72,8 @@ TextValues words_of(const Record& record) {
   return timed_words(record, {{"case", place.case_name}, {"coordinates", place.coordinates}});
 }
 
-/// Finds the fastest formulation by groups or blocks with the guess, iterations and tolerance of
-/// the fastest global reference. side_by_side: "lanes", "segments", or "" for neither.
+/// Finds the fastest generated elimination with the guess, iterations and tolerance of the fastest
+/// global reference. side_by_side: "lanes", "segments", or "" for neither.
 std::optional<CandidateKey> best_generated(const Record& record, std::string_view side_by_side) {
   const std::optional<CandidateKey> reference = best_reference(record);
   if (!reference) return std::nullopt;
@@ -139,7 +139,7 @@ std::string list(const std::vector<Mean>& means) {
 
 /// Tells whether the record shows the benchmark's finding:
 /// - means with different sparse solvers differ by a factor of 1.5 or more
-/// - the best formulation by groups or blocks has a speed-up above 1, like for like
+/// - the best generated elimination has a speed-up above 1, like for like
 bool shows_the_finding(const Record& record) {
   const std::vector<Mean> means = complete_means(record);
   const auto value = [](const Mean& mean) { return mean.speed_up.value; };

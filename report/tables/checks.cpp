@@ -1,5 +1,4 @@
 // The table of what checking a run costs.
-#include <algorithm>
 #include <numeric>
 
 #include "report/tables/entries.h"
@@ -8,21 +7,6 @@
 
 namespace desmo::report {
 namespace {
-
-/// Suffixes of ids of checked runs; "/monitored" is in older records.
-constexpr std::string_view suffixes[] = {"/check:proof", "/check:sample", "/monitored"};
-
-/// Returns the suffix of an id that says how its run is checked; empty where the run is not
-/// checked.
-std::string_view suffix_of(std::string_view id) {
-  const auto found = std::ranges::find_if(suffixes, [&](auto s) { return id.ends_with(s); });
-  return found == std::end(suffixes) ? "" : *found;
-}
-
-/// Returns the last word of a suffix: "proof", "sample" or "monitored".
-std::string word_of(std::string_view suffix) {
-  return std::string(suffix.substr(suffix.find_last_of("/:") + 1));
-}
 
 /// Additional time of a checked run, compared with a bare one.
 struct Price {
@@ -55,14 +39,13 @@ Section checks(const Record& record) {
   const std::int64_t windows = record.settings.windows.value_or(1);
   Table table = headed_table("checks", timed_words(record, {{"windows", windows}}));
   for (const auto& [key, candidate] : record.candidates) {
-    const std::string_view suffix = suffix_of(key.id);
-    if (suffix.empty()) continue;
-    CandidateKey without = key;
-    without.id.resize(key.id.size() - suffix.size());
+    const std::string check(setting(key.id, "check"));
+    if (check.empty()) continue;
+    const CandidateKey without{key, without_setting(key.id, "check")};
     const Measured bare = measured(record, without), checked = measured(candidate);
     if (is_of_few(bare) || is_of_few(checked)) continue;
     const Price price = price_of(record, bare, checked);
-    table.rows.push_back({key.case_name, key.coordinates, without.id, word_of(suffix),
+    table.rows.push_back({key.case_name, key.coordinates, without.id, check,
                           instant_entry(record, bare), instant_entry(record, checked),
                           number_entry(price.step, 2), number_entry(price.share, 2),
                           number_entry(price.start, 2), remark(candidate)});

@@ -76,8 +76,8 @@ Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent) {
                            : note_entry(measured.mark);
 }
 
-Entry step_time_entry(const std::vector<double>& samples) {
-  const SampleSummary time = summarise_step(samples);
+Entry step_time_entry(const Time& step) {
+  const SampleSummary time = summarise(step);
   if (time.count < 2) return composed("{}", {write_order(time.value * 1e6), ""});
   const DigitStyle style = significant_digits(time.value * 1e6, 4);
   return composed("{} – {}",

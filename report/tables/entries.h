@@ -55,9 +55,9 @@ void add_errors(std::vector<Entry>& row, const Measurement& candidate);
 Entry ratio_entry(const SpeedUp& ratio, bool with_percent = false);
 Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent = false);
 
-/// Returns the entry of the least and the second least time of a step [µs], from samples [s]:
-/// "12.34 – 12.41", quantities {microseconds, again}. A single sample has one digit.
-Entry step_time_entry(const std::vector<double>& samples);
+/// Returns the entry of the least and the second least sample of a step's time [µs]: "12.34 –
+/// 12.41", quantities {microseconds, again}. A single sample has one digit.
+Entry step_time_entry(const Time& step);
 
 /// Returns the entry of an error, "8.0e-10", quantities {error}; missing_mark for none.
 Entry error_entry(const std::optional<double>& error);

@@ -80,15 +80,18 @@ Section every_formulation(const Record& record) {
 
 namespace {
 
-/// Key by which rows are sorted: coordinates, analysis, threads. The analysis is the id without
-/// threads and clock.
-using Place = std::tuple<std::int64_t, std::string, std::int64_t>;
+/// Key by which rows are sorted: coordinates, request (request_of()), analysis, threads. The
+/// analysis is the id without request, threads and clock.
+using Place = std::tuple<std::int64_t, std::string, std::string, std::int64_t>;
 
 /// Returns the sort key of a candidate's row. Reads the number of threads from the id, since a
 /// failed candidate records none.
 Place place_of(const CandidateKey& key) {
   const std::string_view threads = setting(key.id, "threads");
-  return {key.coordinates, without_setting(without_setting(key.id, "threads"), "clock"),
+  std::string analysis = key.id;
+  for (const char* part : {"request", "threads", "clock"})
+    analysis = without_setting(std::move(analysis), part);
+  return {key.coordinates, std::string(request_of(key.id)), std::move(analysis),
           threads.empty() ? 1 : std::stoll(std::string(threads))};
 }
 
@@ -97,17 +100,20 @@ Place place_of(const CandidateKey& key) {
 Section threads(const Record& record) {
   Section section = headed_section("threads_section");
   const Measurements all = measurements_by(Clock::wall, record);
+  std::map<std::string, std::string> delivered{{"", "everything"}};
+  for (const MeasuredRequest& request : record.requests)
+    delivered["/request:" + request.name] = request.title;
   std::map<std::string, std::map<Place, CandidateKey>> cases;
   for (const auto& [key, candidate] : all) cases[key.case_name][place_of(key)] = key;
   for (const auto& [name, places] : cases) {
     Table table = headed_table("threads", timed_words(record, {{"case", name}}));
     for (const auto& [place, key] : places) {
-      const auto& [coordinates, analysis, threads] = place;
+      const auto& [coordinates, request, analysis, threads] = place;
       const Measurement& candidate = *all.at(key);
       const Measured time = measured(candidate);
       const auto one = all.find(reference_of(key));
-      table.rows.push_back({coordinates, "everything", analysis, threads, seconds_entry(time),
-                            instant_entry(record, time),
+      table.rows.push_back({coordinates, delivered.at(request), analysis, threads,
+                            seconds_entry(time), instant_entry(record, time),
                             one == all.end() ? note_entry(sentence("threads.alone"))
                             : one->first == key
                                 ? reference_entry()

@@ -67,8 +67,7 @@ Entry ratio_in(const Record& record, const std::string& case_name,
     const ModelledTime *reference = find(record, {case_name, n}, pair.reference, kind),
                        *variant = find(record, {case_name, n}, pair.variant, kind);
     if (!reference || !variant) return note_entry(missing_mark);
-    found.push_back(
-        speed_up(summarise_step(reference->time.seconds), summarise_step(variant->time.seconds)));
+    found.push_back(speed_up(reference->time, variant->time));
   }
   return ratio_entry(mean(found));
 }
@@ -95,11 +94,10 @@ Table all_times(const Record& record) {
     std::vector<Entry> row{key.case_name, kind_of(key.id), without_setting(key.id, "coordinates"),
                            key.coordinates};
     if (entry.status == Status::ok) {
-      row.insert(row.end(),
-                 {step_time_entry(entry.time.seconds), entry.unknowns, count_of(entry.entries),
-                  count_of(entry.condensation), number_entry(entry.condition, 2),
-                  number_entry(entry.iterations_per_step, 3),
-                  error_entry(entry.verification->position), ""});
+      row.insert(row.end(), {step_time_entry(entry.time), entry.unknowns, count_of(entry.entries),
+                             count_of(entry.condensation), number_entry(entry.condition, 2),
+                             number_entry(entry.iterations_per_step, 3),
+                             error_entry(entry.verification->position), ""});
     } else {
       row.push_back(note_entry(failed_mark));
       row.resize(table.columns.size() - 1, note_entry(missing_mark));

@@ -15,25 +15,17 @@
 namespace desmo::report {
 namespace {
 
-/// The least and the largest number of repetitions of a measurement of the paper's experiment; both
-/// are 0 where nothing was timed.
-struct Repetitions {
-  std::size_t least = 0, most = 0;
-};
-
-Repetitions repetitions_of(const Record& record) {
-  Repetitions found;
-  for (const auto& [key, candidate] : measurements(record)) {
-    if (candidate->status != Status::ok) continue;
-    const std::size_t count = candidate->time.seconds.size();
-    found = {found.most == 0 ? count : std::min(found.least, count), std::max(found.most, count)};
-  }
-  return found;
+/// Returns the numbers of repetitions of what was timed in the paper's experiment.
+std::set<std::size_t> repetition_counts(const Record& record) {
+  std::set<std::size_t> counts;
+  for (const auto& [key, candidate] : measurements(record))
+    if (candidate->status == Status::ok) counts.insert(candidate->time.seconds.size());
+  return counts;
 }
 
 /// Tells whether something was timed, and nothing often enough for an interval.
-bool is_first_look(const Repetitions& found) {
-  return found.most > 0 && found.most < min_for_interval;
+bool is_first_look(const std::set<std::size_t>& counts) {
+  return !counts.empty() && *counts.rbegin() < min_for_interval;
 }
 
 /// Tells whether any candidate has samples of timing windows.
@@ -65,8 +57,8 @@ std::string repetitions(const Record& record) {
 }  // namespace
 
 TextValues timed_words(const Record& record, const TextValues& more) {
-  const Repetitions found = repetitions_of(record);
-  const bool windows = record.settings.windows.has_value(), intervals = !is_first_look(found);
+  const std::set<std::size_t> counts = repetition_counts(record);
+  const bool windows = record.settings.windows.has_value(), intervals = !is_first_look(counts);
   TextValues words{{"time", sentence(windows ? "common.undisturbed" : "common.median")},
                    {"time_and_median", sentence(!windows    ? "common.median"
                                                 : intervals ? "common.undisturbed_and_median"
@@ -76,7 +68,7 @@ TextValues timed_words(const Record& record, const TextValues& more) {
                    {"date", record.date.substr(0, 10)},
                    {"duration", write_shortest(record.settings.duration_seconds)},
                    {"repetitions", repetitions(record)},
-                   {"one_digit", intervals && found.most > 0 && found.least < min_for_interval
+                   {"one_digit", intervals && !counts.empty() && *counts.begin() < min_for_interval
                                      ? "; " + sentence("common.one_digit")
                                      : ""}};
   for (const char* word : {"interval", "half_range", "range", "in_or_out", "inconclusive"})
@@ -122,7 +114,7 @@ Section limitations(const Record& record) {
   say(ma27, "with_ma27");
   say(!is_paper || recorded_sizes(record.candidates).contains(std::string(truck_case)), "truck");
   say(true, "machines");
-  say(!is_first_look(repetitions_of(record)), "intervals");
+  say(!is_first_look(repetition_counts(record)), "intervals");
   say(true, "errors");
   say(is_unsteady(record.machine), "unsteady");
   say(record.dirty, "dirty");

@@ -60,7 +60,8 @@ std::string found(const Record& record, const std::vector<const MeasuredRequest*
 Section requests(const Record& record) {
   Section section = headed_section("requests");
   std::map<CaseSize, std::vector<const MeasuredRequest*>> places;
-  for (const MeasuredRequest& request : record.requests) places[request.key].push_back(&request);
+  for (const MeasuredRequest& request : record.requests)
+    if (!is_by_wall(request.key.id)) places[request.key].push_back(&request);
   if (!places.empty()) section.paragraphs = {found(record, places.rbegin()->second)};
   for (const auto& [place, asked] : places) {
     Table table = headed_table(

@@ -75,7 +75,7 @@ Entry claim_entry(const Record& record, std::string_view family, const Claimed& 
       find_variant(record, paper_variants[claim.variant], family, variation);
   if (!reference || !variant) return note_entry(missing_mark);
   if (!is_solved(*reference) || !is_solved(*variant)) return note_entry(failed_mark);
-  return ratio_entry(speed_up(*reference, *variant));
+  return ratio_entry(speed_up(reference->second.time, variant->second.time));
 }
 
 }  // namespace

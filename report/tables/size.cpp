@@ -166,7 +166,7 @@ Table growth_data(const Record& record) {
     std::vector<Entry> row{key.case_name, key.id, key.coordinates};
     if (entry.status == Status::ok) {
       const double seconds = std::ranges::min(entry.time.seconds);
-      row.insert(row.end(), {step_time_entry(entry.time.seconds),
+      row.insert(row.end(), {step_time_entry(entry.time),
                              number_entry(1e9 * seconds / static_cast<double>(key.coordinates), 4),
                              kibibytes(entry.bytes), kibibytes(entry.state_bytes),
                              number_entry(entry.iterations_per_step, 3),

@@ -34,7 +34,8 @@ Table figure_of_speed_ups(const Record& record);
 /// Shows what several threads gain over one, by the wall clock: a table for each case.
 Section threads(const Record& record);
 
-/// Shows what it costs to solve only what a request asks: a table for each case and size.
+/// Shows what it costs to solve only what a request asks, by the CPU clock: a table for each case
+/// and size.
 Section requests(const Record& record);
 
 /// Shows what checking a run costs, for each step and at the start. Times of fewer than three

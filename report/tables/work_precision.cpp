@@ -49,7 +49,7 @@ std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
   const bool solved = is_solved(point);
   return {point.first.id,
           family_of(p.configuration),
-          solved ? step_time_entry(p.time.seconds) : note_entry(failed_mark),
+          solved ? step_time_entry(p.time) : note_entry(failed_mark),
           error_entry(p.error.position),
           error_entry(p.error.velocity),
           error_entry(p.error.acceleration),

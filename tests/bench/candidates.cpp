@@ -30,6 +30,8 @@
 namespace desmo::paper::candidates_test {
 namespace {
 
+using namespace bench;
+
 void spend(double seconds) {
   for (const double start = cpu_now(); cpu_now() - start < seconds;) {
   }
@@ -129,7 +131,7 @@ TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
     ASSERT_TRUE(candidate.is_verified()) << candidate.message();
     candidate.profile();
     ASSERT_TRUE(candidate.phases()) << name;
-    EXPECT_GT(candidate.phases()->total(), 0);
+    EXPECT_GT(std::ranges::max(*candidate.phases()), 0);
   }
 }
 

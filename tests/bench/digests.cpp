@@ -24,6 +24,8 @@
 namespace desmo::paper::digests_test {
 namespace {
 
+using namespace bench;
+
 // The digest of "abc" is that of FIPS 180-2, appendix B.
 TEST(Digests, AreSha256) {
   EXPECT_EQ(Digest().add("abc").hex(),
@@ -91,17 +93,19 @@ TEST_F(ModelDigest, FollowsEverythingThatIsSolved) {
 
 TEST(ResultDigests, RoundAsTheReferenceWithinWhatIsAllowed) {
   const double unit = 1e-9;
-  EXPECT_EQ(rounded(1.0, 1.0, unit), 1'000'000'000);
+  EXPECT_EQ(nearest_multiple(1.0, 1.0, unit), 1'000'000'000);
   const double boundary = 12.5 * unit;
   for (const double reference : {boundary - 1e-20, boundary + 1e-20})
     for (const double error : {-0.9e-9, -1e-18, 0.0, 1e-18, 0.9e-9})
-      EXPECT_EQ(rounded(reference + error, reference, unit), rounded(reference, reference, unit))
+      EXPECT_EQ(nearest_multiple(reference + error, reference, unit),
+                nearest_multiple(reference, reference, unit))
           << error;
   for (const double error : {-1.1e-9, 1.1e-9, 1e-3})
-    EXPECT_NE(rounded(boundary + error, boundary, unit), rounded(boundary, boundary, unit));
-  EXPECT_EQ(rounded(0.2e-9, -0.2e-9, unit), 0);
-  EXPECT_EQ(rounded(NAN, 1, unit), rounded(INFINITY, 1, unit));
-  EXPECT_NE(rounded(NAN, 1, unit), rounded(1, 1, unit));
+    EXPECT_NE(nearest_multiple(boundary + error, boundary, unit),
+              nearest_multiple(boundary, boundary, unit));
+  EXPECT_EQ(nearest_multiple(0.2e-9, -0.2e-9, unit), 0);
+  EXPECT_EQ(nearest_multiple(NAN, 1, unit), nearest_multiple(INFINITY, 1, unit));
+  EXPECT_NE(nearest_multiple(NAN, 1, unit), nearest_multiple(1, 1, unit));
 }
 
 TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {

@@ -15,6 +15,8 @@
 namespace desmo::paper::peer_candidates_test {
 namespace {
 
+using namespace bench;
+
 /// Tells of a mechanism every second coordinate, as a formulation finds it. After each step,
 /// `spoil` gets its answer.
 template <auto spoil>

@@ -11,6 +11,7 @@
 #include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 #include "report/check/check_record.h"
+#include "results/schema_version.h"
 #include "tests/started.h"
 
 namespace desmo::regression::regression_test {
@@ -194,7 +195,8 @@ TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
 TEST_F(Driver, ComparesWithATreeOfSchema2) {
   fs::create_directory(file("older"));
   write("older/desmo_probe", "#!/bin/sh\n" + programs + "/desmo_probe \"$@\" | sed " +
-                                 "'s/\"candidates\"/\"cells\"/; s/\"3\\.0\\.0\"/\"2.0.0\"/'\n");
+                                 "'s/\"candidates\"/\"cells\"/; s/\"" + schema_version +
+                                 "\"/\"2.0.0\"/'\n");
   fs::permissions(file("older/desmo_probe"), fs::perms::owner_all);
   ASSERT_EQ(shell(file("older/desmo_probe") + " verify 3 " + name), 0) << err_;
   EXPECT_CONTAINS(out_, "\"cells\"");
@@ -203,7 +205,7 @@ TEST_F(Driver, ComparesWithATreeOfSchema2) {
             0)
       << err_;
   for (const char* side : {"base", "head"}) {
-    EXPECT_EQ(results()[side]["schema_version"], "3.0.0") << side;
+    EXPECT_EQ(results()[side]["schema_version"], schema_version) << side;
     EXPECT_EQ(results()[side]["paper"]["candidates"].size(), 1u) << side;
   }
 }

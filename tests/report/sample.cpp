@@ -1,6 +1,7 @@
 #include "tests/report/sample.h"
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include "cases/io/text_file.h"
@@ -24,13 +25,30 @@ bool says(const std::vector<std::string>& texts, const std::string& part) {
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
 Json requests_record() { return Json::parse(read_text(data_file("requests.json"))); }
-Json origins_record() { return in_schema_3(Json::parse(read_text(data_file(origins)))); }
+Json origins_record() { return in_known_schema(Json::parse(read_text(data_file(origins)))); }
 
-Json in_schema_3(Json record) {
-  record["schema_version"] = "3.0.0";
+Json in_known_schema(Json record) {
+  record["schema_version"] = schema_version;
   record["paper"]["candidates"] = record["paper"]["cells"];
   record["paper"].erase("cells");
   return record;
+}
+
+std::string later_version(int major, int minor, int patch) {
+  std::istringstream known(schema_version);
+  std::string version;
+  for (const int added : {major, minor, patch}) {
+    int number = 0;
+    known >> number;
+    known.ignore();
+    version += (version.empty() ? "" : ".") + std::to_string(number + added);
+  }
+  return version;
+}
+
+std::string versions_read() {
+  const int major = std::stoi(schema_version);
+  return std::to_string(major - 1) + ".x and " + std::to_string(major) + ".x";
 }
 
 Json levels(double position, double velocity, double acceleration) {

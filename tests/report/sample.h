@@ -36,8 +36,14 @@ Json complete_record();
 inline constexpr const char* origins = "golden/2.0.0.json";
 Json origins_record();
 
-/// Returns a record of schema 2, with its paper's experiment, in schema 3.
-Json in_schema_3(Json record);
+/// Returns a record of schema 2, with its paper's experiment, in schema_version.
+Json in_known_schema(Json record);
+
+/// Returns schema_version with so much added to its major, minor and patch number.
+std::string later_version(int major, int minor, int patch);
+
+/// Returns the words of messages for the versions that are read: "2.x and 3.x".
+std::string versions_read();
 
 /// Stands for a value that a changed record does not have.
 inline const Json removed(Json::value_t::discarded);

@@ -8,7 +8,7 @@ namespace desmo::report {
 /// Returns a record of made-up numbers on a machine with L1 10 KiB and L2 100 KiB.
 /// - `growth`: group_symbolic_explicit costs 10 ns per coordinate (of 100 bytes) up to 1000
 ///   coordinates, 15 ns at 10 000, 20 ns at 100 000; global_automatic_klu grows with the square.
-/// - `crossing`: dense time is n³; sparse is 3600 n (klu, break-even at 60), 50 n (umfpack) and
+/// - `break_even`: dense time is n³; sparse is 3600 n (klu, break-even at 60), 50 n (umfpack) and
 ///   1e6 n² (cholmod).
 Json sizes_record();
 

@@ -99,9 +99,7 @@ void measure_all(const bench::CommonOptions& options, const bench::CommandLine& 
   const std::vector<AccuracySeries> all = make_series(options.quick, std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
   bench::RecordWriter recording = begin_record(options, line);
-  const int repetitions = options.repetitions > 0 ? options.repetitions
-                          : options.quick         ? quick_repetitions
-                                                  : usual_repetitions;
+  const int repetitions = options.samples(usual_repetitions, quick_repetitions);
   std::size_t trials = 0;
   for (const AccuracySeries& series : all) trials += series.configurations.size();
   bench::Progress progress("comparisons and samples",

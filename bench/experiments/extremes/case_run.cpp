@@ -86,9 +86,9 @@ PerLevel<double> error_of(const Instant& instant, const KnownCase& known, std::s
 constexpr std::size_t early = 1000;
 
 /// An observer that notes the result of each instant, or start, in a CaseRun.
-class Record final : public Observer {
+class CaseObserver final : public Observer {
  public:
-  Record(const KnownCase& known, const Formulation& formulation, CaseRun& run)
+  CaseObserver(const KnownCase& known, const Formulation& formulation, CaseRun& run)
       : case_(known), model_(formulation.model()), run_(run) {
     for (const DefinedPart& part : parts_of(formulation))
       if (!part.definition.constant) unknowns_ += std::ssize(part.definition.unknowns);
@@ -191,19 +191,19 @@ CaseOutcome CaseRun::outcome() const {
 }
 
 CaseRun run_case(const KnownCase& known, const Configuration& configuration) {
-  CaseRun a;
+  CaseRun run;
   const auto stop = [&](CaseOutcome outcome, std::string why) {
-    a.unsolved = outcome;
-    a.message = std::move(why);
-    return a;
+    run.unsolved = outcome;
+    run.message = std::move(why);
+    return run;
   };
   if (!known.modelled) return stop(CaseOutcome::refused, known.refusal);
   if (std::string why = unsupported(configuration, known); !why.empty())
     return stop(CaseOutcome::not_applicable, std::move(why));
 
-  const ExtremeCase& c = *known.definition;
+  const ExtremeCase& definition = *known.definition;
   std::optional<Model> started;  // its estimate changes from start to start
-  if (c.starts) started = known.modelled->model;
+  if (definition.starts) started = known.modelled->model;
   const Model& m = started ? *started : known.modelled->model;
   std::unique_ptr<Formulation> f;
   try {
@@ -214,19 +214,20 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration) {
   if (std::string why = bench::missing_code(*f); !why.empty())
     return stop(CaseOutcome::not_applicable, std::move(why));
 
-  Record record(known, *f, a);
+  CaseObserver observer(known, *f, run);
   CheckOptions options;
-  options.past_failures = c.past_failures;
-  options.checked = [&](const CheckedInstant& row) { record.note(row); };
-  const std::size_t runs = c.starts ? known.starts.size() : 1;
-  const TimeGrid grid =
-      c.starts ? TimeGrid{c.scene.grid.start, c.scene.grid.step, 1} : c.scene.grid;
+  options.past_failures = definition.past_failures;
+  options.checked = [&](const CheckedInstant& row) { observer.note(row); };
+  const std::size_t runs = definition.starts ? known.starts.size() : 1;
+  const TimeGrid grid = definition.starts
+                            ? TimeGrid{definition.scene.grid.start, definition.scene.grid.step, 1}
+                            : definition.scene.grid;
   for (std::size_t i = 0; i < runs; ++i) {
     if (started) started->estimate = known.starts[i];
-    record.begin(i);
-    record.end(run_checked(*f, grid, {}, record, options), grid, m);
+    observer.begin(i);
+    observer.end(run_checked(*f, grid, {}, observer, options), grid, m);
   }
-  return a;
+  return run;
 }
 
 }  // namespace desmo::extremes

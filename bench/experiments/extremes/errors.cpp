@@ -75,36 +75,36 @@ bool is_worse(const WorstError& e, const WorstError& other) {
 
 }  // namespace
 
-std::string instant_text(const KnownCase& p, std::size_t instant) {
-  if (p.definition->starts) return formatted("from start %zu", instant + 1);
-  return formatted("at t = %.9g s", p.definition->scene.grid.time(static_cast<int>(instant)));
+std::string instant_text(const KnownCase& known, std::size_t instant) {
+  if (known.definition->starts) return formatted("from start %zu", instant + 1);
+  return formatted("at t = %.9g s", known.definition->scene.grid.time(static_cast<int>(instant)));
 }
 
-WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const CaseRun* yardstick) {
-  const PerLevel<double> errors = measured(p, a, yardstick);
+WorstErrors errors_of(const KnownCase& known, const CaseRun& run, const CaseRun* yardstick) {
+  const PerLevel<double> errors = measured(known, run, yardstick);
   WorstErrors found;
-  for (std::size_t part = 0; part < a.errors.size(); ++part)
-    for (std::size_t next = 0; next < a.errors[part].size(); ++next) {
-      const Flag flag = a.steps.size() > static_cast<std::size_t>(p.compared[next])
-                            ? a.steps[p.compared[next]].flag
+  for (std::size_t part = 0; part < run.errors.size(); ++part)
+    for (std::size_t next = 0; next < run.errors[part].size(); ++next) {
+      const Flag flag = run.steps.size() > static_cast<std::size_t>(known.compared[next])
+                            ? run.steps[known.compared[next]].flag
                             : Flag::failed;
-      if (!a.errors[part][next] || flag == Flag::other_branch) continue;
+      if (!run.errors[part][next] || flag == Flag::other_branch) continue;
       if (!found.worst) found.worst.emplace();
       for (const Level level : all_levels) {
         // A number without a radius claims nothing, so that its error is no matter.
-        if (flag == Flag::unproven && !std::isfinite(a.stated[next]->radius[level])) continue;
-        const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
-                           allowed_error(p, a, errors, level, part, next)};
+        if (flag == Flag::unproven && !std::isfinite(run.stated[next]->radius[level])) continue;
+        const WorstError e{(*run.errors[part][next])[level], known.answers[part].floor[next][level],
+                           allowed_error(known, run, errors, level, part, next)};
         WorstError& worst = (*found.worst)[level];
         if (is_worse(e, worst)) worst = e;
         if (!(e.error > e.allowed)) continue;
-        const double stated = flag == Flag::unproven ? a.stated[next]->radius[level] : 0;
-        const bool wrong = p.definition->bound == Bound::estimates ||
-                           is_wrong(e, p.definition->scene.tolerance, stated);
+        const double stated = flag == Flag::unproven ? run.stated[next]->radius[level] : 0;
+        const bool wrong = known.definition->bound == Bound::estimates ||
+                           is_wrong(e, known.definition->scene.tolerance, stated);
         std::string& first = wrong ? found.defect : found.inexact;
         if (first.empty())
           first = formatted("%s wrong by %.1e %s, allowed %.1e", level_names[level], e.error,
-                            instant_text(p, p.compared[next]).c_str(), e.allowed);
+                            instant_text(known, known.compared[next]).c_str(), e.allowed);
       }
     }
   return found;

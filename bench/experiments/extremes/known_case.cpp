@@ -57,8 +57,8 @@ void add_floors(Answers& a, const std::vector<double>& conditions,
 
 /// Returns answers without any instant for a part of the case's mechanism, or for all of it: the
 /// model and the coordinates alone.
-Answers answers_of(Model part, const KnownCase& p) {
-  const Model& whole = p.modelled->model;
+Answers answers_of(Model part, const KnownCase& known) {
+  const Model& whole = known.modelled->model;
   Answers a{.model = std::move(part)};
   a.coordinate.resize(a.model.coordinates());
   for (const Entity& e : a.model.entities)
@@ -74,9 +74,9 @@ double max_link(const DyadChain& chain) {
 }
 
 /// Returns the model of one of the case's chains alone.
-Model alone(const KnownCase& p, std::size_t index) {
-  const ExtremeCase& c = *p.definition;
-  if (c.chains.size() == 1) return p.modelled->model;
+Model alone(const KnownCase& known, std::size_t index) {
+  const ExtremeCase& c = *known.definition;
+  if (c.chains.size() == 1) return known.modelled->model;
   MechanismBuilder builder(c.scene.mechanism.name, 2);
   builder.set_length_unit(c.scene.mechanism.length_unit);
   add(builder, c.chains[index]);
@@ -97,10 +97,10 @@ double end_between(ChainSolution& solution, double from, double to) {
 /// Returns the answers of the case's chain of that index, by the closed form. Sets `solvable` to
 /// false at instants where the chain has none. Adds to `ends` the times at which answers end or
 /// begin.
-Answers chain_answers(KnownCase& p, std::size_t index) {
-  const ExtremeCase& c = *p.definition;
+Answers chain_answers(KnownCase& known, std::size_t index) {
+  const ExtremeCase& c = *known.definition;
   const DyadChain& chain = c.chains[index];
-  Answers a = answers_of(alone(p, index), p);
+  Answers a = answers_of(alone(known, index), known);
   const double size = nominal_size(a.model), longest = max_link(chain);
   const std::size_t links = std::max<std::size_t>(1, chain.dyads.size());
   a.chain_length = longest * static_cast<double>(links) / size;
@@ -109,17 +109,17 @@ Answers chain_answers(KnownCase& p, std::size_t index) {
   std::vector<ReferenceInstant> motion;  // with Bound::estimates: all instants, else empty
   std::size_t next = 0;
   bool before = true;
-  for (std::size_t i = 0; i < p.solvable.size(); ++i) {
+  for (std::size_t i = 0; i < known.solvable.size(); ++i) {
     const double t = c.scene.grid.time(static_cast<int>(i));
     const bool solved = solution.solve(t);
     if (i > 0 && solved != before) {
-      p.ends.push_back(end_between(solution, c.scene.grid.time(static_cast<int>(i) - 1), t));
+      known.ends.push_back(end_between(solution, c.scene.grid.time(static_cast<int>(i) - 1), t));
       solution.solve(t);
     }
     before = solved;
-    if (!solved) p.solvable[i] = false;
+    if (!solved) known.solvable[i] = false;
     if (solved && c.bound == Bound::estimates) motion.push_back(solution.instant());
-    if (next == p.compared.size() || p.compared[next] != static_cast<int>(i)) continue;
+    if (next == known.compared.size() || known.compared[next] != static_cast<int>(i)) continue;
     ++next;
     a.right.push_back(solved ? solution.instant() : ReferenceInstant{t, {}, {}, {}});
     if (c.bound == Bound::length) conditions.push_back(solution.condition());
@@ -133,29 +133,29 @@ Answers chain_answers(KnownCase& p, std::size_t index) {
 
 /// Returns the answers of the whole mechanism by make_reference(). Throws std::runtime_error where
 /// its two solutions do not converge or differ by 1e-20 or more.
-Answers reference_answers(const KnownCase& p) {
-  const ExtremeCase& c = *p.definition;
-  Answers a = answers_of(p.modelled->model, p);
+Answers reference_answers(const KnownCase& known) {
+  const ExtremeCase& c = *known.definition;
+  Answers a = answers_of(known.modelled->model, known);
   std::vector<double> times;
-  for (const int i : p.compared)
-    if (p.solvable[i]) times.push_back(c.scene.grid.time(i));
+  for (const int i : known.compared)
+    if (known.solvable[i]) times.push_back(c.scene.grid.time(i));
   const Reference reference = make_reference(a.model, times);
   if (!(reference.floor.position < 1e-20))
     throw std::runtime_error("the two references differ by more than 1e-20");
   a.right = reference.instants;
-  a.right.resize(p.compared.size(), {c.scene.grid.time(p.compared.back()), {}, {}, {}});
+  a.right.resize(known.compared.size(), {c.scene.grid.time(known.compared.back()), {}, {}, {}});
   add_floors(a, {});
   return a;
 }
 
 /// Returns the answer of each start, on the branch to which the references lead from it; without q
 /// where they do not converge or do not agree.
-Answers answers_to_starts(const KnownCase& p) {
-  Answers a = answers_of(p.modelled->model, p);
-  const double time = p.definition->scene.grid.time(0);
+Answers answers_to_starts(const KnownCase& known) {
+  Answers a = answers_of(known.modelled->model, known);
+  const double time = known.definition->scene.grid.time(0);
   Model started = a.model;
-  for (const int i : p.compared) {
-    started.estimate = p.starts[i];
+  for (const int i : known.compared) {
+    started.estimate = known.starts[i];
     ReferenceInstant& right = a.right.emplace_back(ReferenceInstant{time, {}, {}, {}});
     try {
       const Reference reference = make_reference(started, {&time, 1});
@@ -208,29 +208,30 @@ double KnownCase::condition() const {
 }
 
 KnownCase make_known_case(const ExtremeCase& c) {
-  KnownCase p{.definition = &c, .compared = compared_instants(c)};
-  p.solvable.assign(c.starts ? c.starts->count : c.scene.grid.instants, true);
-  if (c.ends_singular) p.solvable.back() = false;
+  KnownCase known{.definition = &c, .compared = compared_instants(c)};
+  known.solvable.assign(c.starts ? c.starts->count : c.scene.grid.instants, true);
+  if (c.ends_singular) known.solvable.back() = false;
   try {
-    p.modelled = model_mechanism(c.scene.mechanism, c.scene.motions);
+    known.modelled = model_mechanism(c.scene.mechanism, c.scene.motions);
   } catch (const std::invalid_argument& error) {
-    p.refusal = error.what();
-    return p;
+    known.refusal = error.what();
+    return known;
   }
-  if (c.starts) p.starts = make_starts(p.modelled->model, *c.starts);
-  if (c.is_refused) return p;  // a refused case has no answers
+  if (c.starts) known.starts = make_starts(known.modelled->model, *c.starts);
+  if (c.is_refused) return known;  // a refused case has no answers
   try {
     if (c.starts)
-      p.answers.push_back(answers_to_starts(p));
+      known.answers.push_back(answers_to_starts(known));
     else
-      for (std::size_t i = 0; i < c.chains.size(); ++i) p.answers.push_back(chain_answers(p, i));
-    if (!c.starts && c.chains.empty() && p.modelled->model.coordinates() > 0)
-      p.answers.push_back(reference_answers(p));
+      for (std::size_t i = 0; i < c.chains.size(); ++i)
+        known.answers.push_back(chain_answers(known, i));
+    if (!c.starts && c.chains.empty() && known.modelled->model.coordinates() > 0)
+      known.answers.push_back(reference_answers(known));
   } catch (const std::exception& error) {
-    p.no_answer = error.what();
-    p.answers.clear();
+    known.no_answer = error.what();
+    known.answers.clear();
   }
-  return p;
+  return known;
 }
 
 }  // namespace desmo::extremes

@@ -15,9 +15,9 @@
 #include <string>
 #include <utility>
 
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/checked_run.h"
 #include "bench/kit/exit_codes.h"
-#include "bench/kit/options.h"
 #include "bench/regression/rounds.h"
 #include "bench/regression/stepped_formulation.h"
 

@@ -11,6 +11,7 @@
 
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/modelling/problems.h"
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/formulation_candidate.h"
 #include "bench/kit/process/progress.h"
 #include "bench/kit/record/timed_in_turn.h"
@@ -53,7 +54,7 @@ std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
         for (const Modelling kind : modelling_kinds)
           for (const Frames frames : {Frames::linearised, Frames::exact}) {
             const std::string id = id_in(natural, kind, frames),
-                              name = std::string(c.name) + "/" + std::to_string(n) + "/" + id;
+                              name = bench::CandidateName{std::string(c.name), n, id}.text();
             if (!id.empty() && std::regex_search(name, wanted)) one.ids.emplace_back(kind, id);
           }
       if (!one.ids.empty()) all.push_back(std::move(one));
@@ -107,9 +108,7 @@ bench::ExitCode run(const bench::CommandLine& line) {
   const std::vector<Comparison> all = comparisons(options);
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
   bench::RecordWriter recording = begin_record(options, line);
-  const int repetitions = options.repetitions > 0 ? options.repetitions
-                          : options.quick         ? quick_repetitions
-                                                  : usual_repetitions;
+  const int repetitions = options.samples(usual_repetitions, quick_repetitions);
   double work = 0;
   for (const Comparison& c : all) work += c.coordinates;
   bench::Progress progress("sizes", work);

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "bench/experiments/paper/entry_json.h"
 #include "bench/kit/checked_run.h"
 #include "bench/kit/record/record.h"
 #include "bench/kit/variant_costs.h"
@@ -16,6 +15,8 @@
 #include "formulations/variants.h"
 
 namespace desmo::paper {
+
+using namespace bench;
 
 namespace {
 
@@ -63,9 +64,8 @@ void CaseCandidate::add_to(nlohmann::ordered_json& lists) const {
   lists["candidates"].push_back(with_measurement(key, *this));
   if (!phases_ || !is_verified()) return;
   nlohmann::ordered_json seconds, profile = key;
-  for (int p = 0; p < phase_count; ++p) seconds[phase_names[p]] = phases_->seconds[p];
-  seconds["rest"] = phases_->rest;
-  profile["time_per_step"] = {{"clock", clock_name(Clock::wall)}, {"phases", seconds}};
+  for (std::size_t p = 0; p < phase_names.size(); ++p) seconds[phase_names[p]] = (*phases_)[p];
+  profile["time_per_step"] = {{"clock", "wall"}, {"phases", seconds}};
   lists["profiles"].push_back(std::move(profile));
 }
 

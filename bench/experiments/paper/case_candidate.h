@@ -13,7 +13,7 @@
 namespace desmo::paper {
 
 /// A case at one size, or a user's scene, with one formulation, perhaps in a checked run.
-class CaseCandidate final : public FormulationCandidate {
+class CaseCandidate final : public bench::FormulationCandidate {
  public:
   /// Refuses the candidate (Refusal::Kind::not_run), with the reason, where it would be too costly.
   CaseCandidate(std::shared_ptr<MeasuredCase> measured, const TimedConfiguration& configuration,

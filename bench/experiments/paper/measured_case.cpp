@@ -17,6 +17,8 @@
 
 namespace desmo::paper {
 
+using namespace bench;
+
 namespace {
 
 /// Time that a compiler may take for the code of one formulation.

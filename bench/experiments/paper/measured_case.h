@@ -13,7 +13,7 @@ namespace desmo::paper {
 
 /// The motion of a whole mechanism: of a case at one size, or of a user's scene. Shared by its
 /// candidates.
-struct MeasuredCase : Problem {
+struct MeasuredCase : bench::Problem {
   explicit MeasuredCase(Scene described) : scene(std::move(described)) {}
 
   const Scene scene;         ///< the whole mechanism, which peers are made of

@@ -16,6 +16,8 @@
 
 namespace desmo::paper {
 
+using namespace bench;
+
 namespace {
 
 using Json = nlohmann::ordered_json;

@@ -63,7 +63,7 @@ Options take_options(std::vector<std::string>& arguments) {
            "could not be written. Where a file of Google Benchmark names a library built for\n"
            "debugging, its own is meant, which has no part in these times. Flags of Google\n"
            "Benchmark:\n\n";
-  const int repetitions = o.repetitions > 0 ? o.repetitions : o.quick ? quick_repetitions : 0;
+  const int repetitions = o.samples(0, quick_repetitions);
   // First, so that flags of Google Benchmark that the user gives win.
   if (repetitions > 0)
     arguments.insert(arguments.begin(), "--benchmark_repetitions=" + std::to_string(repetitions));

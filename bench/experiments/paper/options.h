@@ -8,8 +8,6 @@
 
 namespace desmo::paper {
 
-using namespace bench;  // the kit, of which this experiment uses nearly all
-
 /// Options of the paper's experiment, without the flags of Google Benchmark.
 struct Options : bench::CommonOptions {
   double step = 0;         ///< time between instants [s]; 0: the case's own

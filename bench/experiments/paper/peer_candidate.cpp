@@ -9,13 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "bench/experiments/paper/entry_json.h"
 #include "bench/kit/candidate_name.h"
 #include "bench/kit/digests.h"
+#include "bench/kit/record/record.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/motion/prediction/guess.h"
 
 namespace desmo::paper {
+
+using namespace bench;
 
 namespace {
 

@@ -13,7 +13,7 @@
 namespace desmo::paper {
 
 /// A case at one size solved by a peer.
-class PeerCandidate final : public Candidate {
+class PeerCandidate final : public bench::Candidate {
  public:
   PeerCandidate(std::shared_ptr<const MeasuredCase> measured, const PeerDefinition& peer,
                 const Options& options);
@@ -25,8 +25,8 @@ class PeerCandidate final : public Candidate {
  private:
   /// Compares the coordinates that the peer finds. Refuses the peer (not_run) when the whole motion
   /// would take longer than the options allow.
-  Checked check(VerifyingRun& found) override;
-  Analysis make_analysis(TimingWindows& windows) const override;
+  Checked check(bench::VerifyingRun& found) override;
+  bench::Analysis make_analysis(bench::TimingWindows& windows) const override;
 
   const Model& model() const { return measured_->plan.model; }
 

@@ -11,6 +11,8 @@
 
 namespace desmo::paper {
 
+using namespace bench;
+
 namespace {
 
 /// Returns the time that measuring one phase takes by itself [s].
@@ -37,21 +39,19 @@ PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& 
   if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.model()));
 
   const long calls = std::accumulate(profile.calls.begin(), profile.calls.end(), 0L);
-  PhaseTimes times;
+  PhaseTimes times{};
   double measured = 0;
   for (int p = 0; p < phase_count; ++p) {
     // About half of the cost of a measurement falls into the time that it measures.
     const double seconds = std::max(0.0, profile.seconds[p] - profile.calls[p] * clock / 2);
-    times.seconds[p] = seconds / grid.instants;
+    times[p] = seconds / grid.instants;
     measured += seconds;
   }
-  times.rest = std::max(0.0, total - calls * clock - measured) / grid.instants;
+  times.back() = std::max(0.0, total - calls * clock - measured) / grid.instants;
   return times;
 }
 
 }  // namespace
-
-double PhaseTimes::total() const { return std::accumulate(seconds.begin(), seconds.end(), rest); }
 
 PhaseTimes measure_phases(const Variant& variant, const Settings& settings, const Model& model,
                           const TimeGrid& grid) {
@@ -61,7 +61,8 @@ PhaseTimes measure_phases(const Variant& variant, const Settings& settings, cons
   const double clock = clock_seconds();
   std::vector<PhaseTimes> times;
   for (int i = 0; i < passes; ++i) times.push_back(one_pass(*formulation, profile, grid, clock));
-  std::ranges::sort(times, {}, &PhaseTimes::total);
+  std::ranges::sort(times, {},
+                    [](const PhaseTimes& t) { return std::accumulate(t.begin(), t.end(), 0.0); });
   return times[passes / 2];
 }
 

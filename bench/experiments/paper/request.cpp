@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bench/experiments/paper/entry_json.h"
 #include "bench/experiments/paper/extended_ids.h"
+#include "bench/kit/record/record.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
@@ -18,6 +18,8 @@
 #include "formulations/modelling/modelling.h"
 
 namespace desmo::paper {
+
+using namespace bench;
 
 namespace {
 
@@ -67,21 +69,21 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
 
 RequestCandidate::RequestCandidate(std::shared_ptr<const PlannedRequest> request,
                                    const Configuration& c)
-    : FormulationCandidate(*request, c), request_(std::move(request)) {}
+    : FormulationCandidate(*request, c), planned_(std::move(request)) {}
 
 std::string RequestCandidate::name() const {
-  return FormulationCandidate::name() + "/request:" + request_->name;
+  return FormulationCandidate::name() + "/request:" + planned_->name;
 }
 
 void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
   lists["requests"].push_back(with_measurement({{"case", case_name()},
                                                 {"coordinates", coordinates()},
                                                 {"id", id()},
-                                                {"request", request_->name},
-                                                {"title", request_->title},
-                                                {"level", level_names[request_->plan.level()]},
-                                                {"unknowns", request_->unknowns},
-                                                {"all_unknowns", request_->all_unknowns}},
+                                                {"request", planned_->name},
+                                                {"title", planned_->title},
+                                                {"level", level_names[planned_->plan.level()]},
+                                                {"unknowns", planned_->unknowns},
+                                                {"all_unknowns", planned_->all_unknowns}},
                                                *this));
 }
 

@@ -16,7 +16,7 @@ namespace desmo::paper {
 /// A scene's request of a case at one size, as the problem that has to be solved for it. Its
 /// results are compared with those of the whole mechanism, which shows that nothing needed was left
 /// out. All formulations of the request share this object and its models.
-struct PlannedRequest : Problem {
+struct PlannedRequest : bench::Problem {
   /// Throws std::invalid_argument when the scene's mechanism is not a case of the suite, or no
   /// output moves.
   PlannedRequest(std::string_view short_name, const Scene& scene, const Options& options);
@@ -28,7 +28,7 @@ struct PlannedRequest : Problem {
 };
 
 /// A request with one formulation.
-class RequestCandidate final : public FormulationCandidate {
+class RequestCandidate final : public bench::FormulationCandidate {
  public:
   RequestCandidate(std::shared_ptr<const PlannedRequest> request,
                    const Configuration& configuration);
@@ -37,10 +37,8 @@ class RequestCandidate final : public FormulationCandidate {
   std::string name() const override;
   void add_to(nlohmann::ordered_json& lists) const override;
 
-  const PlannedRequest& request() const { return *request_; }
-
  private:
-  const std::shared_ptr<const PlannedRequest> request_;
+  const std::shared_ptr<const PlannedRequest> planned_;
 };
 
 /// Returns every request of the library with every formulation that requests are timed with, on one

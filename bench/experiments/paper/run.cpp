@@ -27,6 +27,8 @@
 
 namespace desmo::paper {
 
+using namespace bench;
+
 using Json = nlohmann::ordered_json;
 
 namespace {

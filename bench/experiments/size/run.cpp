@@ -58,7 +58,7 @@ bench::ExitCode run(const bench::CommandLine& line) {
   const std::vector<SizeSeries> all = make_series(options.quick, std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
   bench::RecordWriter recording = begin_record(options, line);
-  const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
+  const int repetitions = options.samples(usual_repetitions, usual_repetitions);
   double work = 0;
   for (const SizeSeries& series : all) work += work_of(series);
   bench::Progress progress("sizes", work);

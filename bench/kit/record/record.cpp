@@ -7,7 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/kit/candidate.h"
 #include "formulations/base/per_level.h"
+#include "results/schema_version.h"
 
 namespace desmo::bench {
 
@@ -51,6 +53,23 @@ Json rounded_list(const std::vector<double>& seconds) {
   return list;
 }
 
+/// Returns samples of a time [s] with the name of the clock that measured them.
+Json time_json(const Json& seconds, Clock clock) {
+  return {{"clock", clock == Clock::cpu ? "cpu" : "wall"}, {"seconds", seconds}};
+}
+
+/// Returns the times of all windows in every analysis [s], and the updates in each window; where no
+/// updates were counted, the least time of each window alone.
+Json windows_json(const TimingWindows& windows) {
+  const std::vector<long>& updates = windows.updates();
+  if (std::ranges::all_of(updates, [](long n) { return n == 0; }))
+    return {{"least", rounded_list(windows.least())}};
+  Json samples = Json::array();
+  for (const std::vector<double>& sample : windows.samples())
+    samples.push_back(rounded_list(sample));
+  return {{"updates", updates}, {"samples", std::move(samples)}};
+}
+
 }  // namespace
 
 RecordWriter::RecordWriter(const std::string& path, const std::string& command,
@@ -84,22 +103,27 @@ Json errors_json(const Differences& errors, Level level) {
   return j;
 }
 
-Json time_json(const std::vector<double>& seconds, Clock clock) {
-  return {{"clock", clock_name(clock)}, {"seconds", seconds}};
-}
-
 Json rounded_time_json(const std::vector<double>& seconds) {
-  return {{"clock", clock_name(Clock::cpu)}, {"seconds", rounded_list(seconds)}};
+  return time_json(rounded_list(seconds), Clock::cpu);
 }
 
-Json windows_json(const TimingWindows& windows) {
-  const std::vector<long>& updates = windows.updates();
-  if (std::ranges::all_of(updates, [](long n) { return n == 0; }))  // uncounted
-    return {{"least", rounded_list(windows.least())}};
-  Json samples = Json::array();
-  for (const std::vector<double>& sample : windows.samples())
-    samples.push_back(rounded_list(sample));
-  return {{"updates", updates}, {"samples", std::move(samples)}};
+Json with_measurement(Json j, const Candidate& c) {
+  j["status"] = c.is_timed() ? "ok" : c.is_not_run() ? "not_run" : "failed";
+  if (!c.is_timed()) j["message"] = c.message().empty() ? "not timed" : c.message();
+  if (c.is_not_run()) return j;
+  const VerifyingRun& found = c.verifying_run();
+  j["machine"] = processor_name();
+  if (!found.model.empty()) j["model"] = found.model;
+  if (!found.results.empty()) j["results"] = found.results;
+  if (!c.is_timed()) return j;
+  j["verification"] = errors_json(found.errors, found.level);
+  if (c.threads() > 1) j["threads"] = c.threads();
+  j["time"] = time_json(c.seconds(), c.clock());
+  if (c.clock() == Clock::cpu) j["time"]["windows"] = windows_json(c.windows());
+  j["setup_time"] = time_json(Json::array({found.setup_seconds}), Clock::cpu);
+  j["iterations_per_step"] = found.iterations_per_step;
+  if (found.residual) j["residual"] = *found.residual;
+  return j;
 }
 
 double rounded(double value, int digits) {
@@ -109,7 +133,5 @@ double rounded(double value, int digits) {
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return std::strtod(text, nullptr);
 }
-
-const char* clock_name(Clock clock) { return clock == Clock::cpu ? "cpu" : "wall"; }
 
 }  // namespace desmo::bench

@@ -6,15 +6,13 @@
 #include <vector>
 
 #include "bench/kit/record/environment.h"
-#include "bench/kit/time/timing_windows.h"
 #include "bench/kit/verification.h"
 #include "cases/io/new_files.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo::bench {
 
-/// Version of results/record.schema.json and results/check.schema.json that is written.
-inline constexpr const char* schema_version = "3.0.0";
+class Candidate;
 
 /// A writer of one record. Its constructor opens the file before anything is measured, so that an
 /// unusable path is found at once. write() is called once, after all measurements.
@@ -50,22 +48,18 @@ nlohmann::ordered_json per_level_json(const PerLevel<double>& values);
 /// compared.
 nlohmann::ordered_json errors_json(const Differences& errors, Level level = Level::acceleration);
 
-/// Returns samples of a time [s] with the name of the clock that measured them.
-nlohmann::ordered_json time_json(const std::vector<double>& seconds, Clock clock = Clock::cpu);
-
 /// Returns samples of CPU time [s], rounded to five digits: samples are many, and no machine
 /// repeats more digits.
 nlohmann::ordered_json rounded_time_json(const std::vector<double>& seconds);
 
-/// Returns the times of all windows in every analysis [s], and the updates in each window; where no
-/// updates were counted, the least time of each window alone.
-nlohmann::ordered_json windows_json(const TimingWindows& windows);
+/// Completes an entry of a record's list (results/record.schema.json), which names a candidate.
+/// Adds status, the message unless it is "ok", machine, digests of model and results, errors and
+/// times. Leaves out errors and times of a candidate that was not timed, and all but the first two
+/// of one that was not run.
+nlohmann::ordered_json with_measurement(nlohmann::ordered_json entry, const Candidate& candidate);
 
 /// Returns a value, not −∞, rounded to `digits` significant digits. Returns 1e100 for NaN and all
 /// values above 1e100, since JSON has no infinite numbers.
 double rounded(double value, int digits);
-
-/// Returns the name of a clock in a record: "cpu" or "wall".
-const char* clock_name(Clock clock);
 
 }  // namespace desmo::bench

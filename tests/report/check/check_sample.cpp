@@ -40,7 +40,7 @@ Json& candidate_named(Json& record, const std::string& name) {
 }  // namespace
 
 Json check_sample() {
-  Json check = {{"schema", "desmo-check"}, {"schema_version", "3.0.0"}};
+  Json check = {{"schema", "desmo-check"}, {"schema_version", schema_version}};
   check["settings"] = {{"seed", 1}, {"turns", 3}, {"repetitions", 2}};
   check["base"] = side(7);
   check["head"] = side(11);

@@ -58,7 +58,7 @@ TEST(FigureFive, NamesTheMotionsThatDiffer) {
             "Ours is 2 s of motion, the paper's 30 s: these times are not to be compared.");
 }
 
-TEST(FigureSix, SkipsFamiliesWithoutACellAndKeepsTheColours) {
+TEST(FigureSix, SkipsFamiliesWithoutACandidateAndKeepsTheColours) {
   Json record = complete_record();
   for (const char* family : {"cholmod", "umfpack"}) erase_family(record, family);
   const Json spec = figure_of(record, "figure6");

@@ -90,7 +90,7 @@ void expect_nothing_lost(const Json& seen, const Document& document) {
 
 TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   if (!installed("report/figures", "figures")) GTEST_SKIP() << out_;
-  Json json = in_schema_3(
+  Json json = in_known_schema(
       Json::parse(read_record_text(DESMO_SOURCE_DIR "/results/records/intel-xeon-paper.json.gz")));
   fail_candidate(json, 336, "group_symbolic_lapack");  // a gap, and one line more
   const fs::path recorded = folder_ / "record.json";

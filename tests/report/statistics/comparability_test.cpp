@@ -1,7 +1,8 @@
 // Conditions under which records may be compared.
 #include "report/statistics/comparability.h"
 
-#include "tests/report/sample.h"
+#include "tests/report/points_sample.h"
+#include "tests/report/size_sample.h"
 
 namespace desmo::report::comparability_test {
 namespace {
@@ -88,12 +89,30 @@ TEST(Comparability, APeerWithoutDigestIsNoDifference) {
   EXPECT_EQ(reasons(json, json), Names{});
 }
 
-TEST(Comparability, WithoutACellInCommonThereIsNothingToCompare) {
+TEST(Comparability, WithoutACandidateInCommonThereIsNothingToCompare) {
   Json other = origins_record();
   for (Json& candidate : other["paper"]["candidates"])
     candidate["id"] = "other_" + candidate["id"].get<std::string>();
   for (Json& request : other["paper"]["requests"]) request["request"] = "other";
   EXPECT_EQ(reasons(origins_record(), other), Names{"measurements in common"});
+}
+
+/// Steps compare with another machine's by the same sample as everywhere.
+TEST(TimedGroups, TakeTheLeastSampleOfAStep) {
+  std::size_t steps = 0;
+  for (const Json& json : {sizes_record(), modelling_record(), points_record()}) {
+    const Record record = record_from(json);
+    for (const TimedGroup& group : timed_groups(record))
+      for (const auto& [key, step] : group.measurements) {
+        if (step->status != Status::ok) continue;
+        ++steps;
+        const SampleSummary time = *measured(*step).seconds;
+        EXPECT_EQ(time.value, std::ranges::min(step->time.seconds)) << name_of(key);
+        EXPECT_NEAR(time.without_best.value_or(0), 1.02 * time.value,
+                    1e-12 * time.value);  // step_time()
+      }
+  }
+  EXPECT_GT(steps, 60u);
 }
 
 }  // namespace

@@ -22,32 +22,32 @@ TEST(Statistics, MedianOfOddAndEvenCounts) {
   EXPECT_EQ(summarise(std::vector{7.0}).median, 7);
 }
 
-SampleSummary of_segments(std::vector<double> segments) {
-  const double all = std::accumulate(segments.begin(), segments.end(), 0.0);
+SampleSummary of_windows(std::vector<double> windows) {
+  const double all = std::accumulate(windows.begin(), windows.end(), 0.0);
   // The whole is much disturbed.
-  return summarise(std::vector{1.5 * all, 2 * all, 3 * all}, {.least = segments});
+  return summarise(std::vector{1.5 * all, 2 * all, 3 * all}, {.least = windows});
 }
 
-TEST(Statistics, SpeedUpsOfSegmentsAreRatiosOfTheirSums) {
-  const SpeedUp same = speed_up(of_segments({2, 4, 6}), of_segments({1, 2, 3}));
+TEST(Statistics, SpeedUpsOfWindowsAreRatiosOfTheirSums) {
+  const SpeedUp same = speed_up(of_windows({2, 4, 6}), of_windows({1, 2, 3}));
   EXPECT_DOUBLE_EQ(same.value, 2);
   EXPECT_DOUBLE_EQ(same.low, 2);
   EXPECT_DOUBLE_EQ(same.high, 2);
   EXPECT_DOUBLE_EQ(same.percent, 50);
   EXPECT_TRUE(same.has_interval);
   // By hand: S = 8/4.2, Σ(a - S b)² = 0.108844, t = 3.182: 0.288617 on either side.
-  const SpeedUp s = speed_up(of_segments({2, 2, 2, 2}), of_segments({1, 1, 1, 1.2}));
+  const SpeedUp s = speed_up(of_windows({2, 2, 2, 2}), of_windows({1, 1, 1, 1.2}));
   EXPECT_DOUBLE_EQ(s.value, 8 / 4.2);
   EXPECT_NEAR(s.high - s.value, 0.288617, 1e-6);
   EXPECT_NEAR(s.value - s.low, 0.288617, 1e-6);
 }
 
-TEST(Statistics, WhatHasOtherSegmentsOrNoneIsComparedByItsMedian) {
-  const SampleSummary segments = of_segments({1, 1}), others = of_segments({1, 1, 2});
+TEST(Statistics, WhatHasOtherWindowsOrNoneIsComparedByItsMedian) {
+  const SampleSummary windows = of_windows({1, 1}), others = of_windows({1, 1, 2});
   const SampleSummary none = summarise(std::vector{4.0, 4.0});
-  EXPECT_DOUBLE_EQ(speed_up(none, segments).value, 1);
-  EXPECT_DOUBLE_EQ(speed_up(others, segments).value, 2);
-  EXPECT_DOUBLE_EQ(speed_up(others, segments).low, 6 / 6.0);
+  EXPECT_DOUBLE_EQ(speed_up(none, windows).value, 1);
+  EXPECT_DOUBLE_EQ(speed_up(others, windows).value, 2);
+  EXPECT_DOUBLE_EQ(speed_up(others, windows).low, 6 / 6.0);
 }
 
 TEST(Statistics, ATooWideIntervalIsInconclusive) {

@@ -1,4 +1,4 @@
-// The undisturbed time of an analysis, from segments of disturbed ones.
+// The undisturbed time of an analysis, from windows of disturbed ones.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace desmo::report::windows_test {
 namespace {
 
 /// Analyses of a motion: a microsecond an instant and a nanosecond an update, undisturbed.
-Windows segments_of(std::vector<double> updates, std::size_t analyses) {
+Windows windows_of(std::vector<double> updates, std::size_t analyses) {
   Windows s{.updates = std::move(updates)};
   for (std::size_t k = 0; k < s.updates.size(); ++k) s.instants.push_back(120 + k % 2);
   for (std::size_t r = 0; r < analyses; ++r) {
@@ -41,13 +41,13 @@ std::vector<double> varied_updates() {
 }
 
 TEST(UndisturbedTime, IsTheSumWhereNothingDisturbs) {
-  const Windows s = segments_of(varied_updates(), 3);
+  const Windows s = windows_of(varied_updates(), 3);
   EXPECT_NEAR(undisturbed(s), truth(s), 1e-12);
   EXPECT_NEAR(without_best(s), truth(s), 1e-12);
 }
 
-TEST(UndisturbedTime, IsFoundFromAFewSegmentsThatNothingDisturbed) {
-  Windows s = segments_of(varied_updates(), 5);
+TEST(UndisturbedTime, IsFoundFromAFewWindowsThatNothingDisturbed) {
+  Windows s = windows_of(varied_updates(), 5);
   const double expected = truth(s);
   for (std::size_t r = 0; r < s.samples.size(); ++r)
     for (std::size_t k = 0; k < s.updates.size(); ++k)
@@ -56,10 +56,10 @@ TEST(UndisturbedTime, IsFoundFromAFewSegmentsThatNothingDisturbed) {
   EXPECT_NEAR(without_best(s), expected, 1e-3 * expected);
 }
 
-TEST(UndisturbedTime, OfSegmentsAlikeIsThatOfTheLeast) {
+TEST(UndisturbedTime, OfWindowsAlikeIsThatOfTheLeast) {
   std::vector<double> updates;
   for (int k = 0; k < 25; ++k) updates.push_back(165 * (120 + k % 2));
-  Windows s = segments_of(updates, 2);
+  Windows s = windows_of(updates, 2);
   const double expected = truth(s);
   for (std::vector<double>& sample : s.samples)
     for (double& seconds : sample) seconds *= 1.3;
@@ -68,35 +68,35 @@ TEST(UndisturbedTime, OfSegmentsAlikeIsThatOfTheLeast) {
   EXPECT_NEAR(without_best(s), 1.3 * expected, 1e-12);  // one witness is none
 }
 
-/// Segments with few updates take no longer than segments with many, if only these were
+/// Windows with few updates take no longer than windows with many, if only these were
 /// undisturbed.
 TEST(UndisturbedTime, RisesWithTheUpdates) {
-  Windows s = segments_of({10000, 10000, 20000, 20000}, 1);
+  Windows s = windows_of({10000, 10000, 20000, 20000}, 1);
   for (const std::size_t k : {0, 1}) s.samples[0][k] *= 10;
   const double each = 1e-6 * 121 + 1e-9 * 20000;
   EXPECT_LE(undisturbed(s), 4.1 * each);
   EXPECT_GE(undisturbed(s), truth(s));
 }
 
-/// The time grows at most in proportion to the updates. The first segment alone has the assembly,
+/// The time grows at most in proportion to the updates. The first window alone has the assembly,
 /// and its time is not taken from where it was disturbed.
 TEST(UndisturbedTime, GrowsNoFasterThanTheUpdates) {
   std::vector<double> updates;
   for (int k = 0; k < 25; ++k) updates.push_back(k == 0 ? 3e4 : 165 * (120 + k % 2));
-  Windows s = segments_of(updates, 2);
+  Windows s = windows_of(updates, 2);
   const double expected = truth(s);
   for (std::vector<double>& sample : s.samples) sample[0] *= 1.5;
   EXPECT_NEAR(undisturbed(s), expected, 0.02 * expected);
 }
 
-/// Half of the time a core is a third slower, for a while as long as some segments: two runs agree.
+/// Half of the time a core is a third slower, for a while as long as some windows: two runs agree.
 TEST(UndisturbedTime, AgreesFromRunToRun) {
   std::mt19937 random(3);
   const auto chance = [&] { return static_cast<double>(random()) / std::mt19937::max(); };
   int apart = 0, conclusive = 0;
   constexpr int runs = 1000;
   for (int run = 0; run < runs; ++run) {
-    Windows s = segments_of(varied_updates(), 5);
+    Windows s = windows_of(varied_updates(), 5);
     const double expected = truth(s);
     std::vector<double> whole;
     for (std::vector<double>& sample : s.samples) {
@@ -118,10 +118,10 @@ TEST(UndisturbedTime, AgreesFromRunToRun) {
   EXPECT_GT(conclusive, runs * 9 / 10);
 }
 
-/// Several threads have one segment, the whole motion. Compared with many segments, its samples
+/// Several threads have one window, the whole motion. Compared with many windows, its samples
 /// count as theirs.
-TEST(UndisturbedTime, OfOneSegmentIsTheLeastAnalysis) {
-  const Windows many = segments_of(varied_updates(), 3);
+TEST(UndisturbedTime, OfOneWindowIsTheLeastAnalysis) {
+  const Windows many = windows_of(varied_updates(), 3);
   Windows one{
       .least = {0.5}, .instants = {3000}, .updates = {0}, .samples = {{0.6}, {0.5}, {0.52}}};
   EXPECT_DOUBLE_EQ(undisturbed(one), 0.5);
@@ -134,7 +134,7 @@ TEST(UndisturbedTime, OfOneSegmentIsTheLeastAnalysis) {
 }
 
 TEST(UndisturbedTime, WithoutUpdatesOnEitherSideSpeedUpsAreRatiosOfSums) {
-  const Windows samples = segments_of(varied_updates(), 3);
+  const Windows samples = windows_of(varied_updates(), 3);
   Windows least_only{.least = samples.least};
   for (double& seconds : least_only.least) seconds *= 2;
   const double all = std::accumulate(samples.least.begin(), samples.least.end(), 0.0);

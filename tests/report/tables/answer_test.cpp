@@ -147,6 +147,15 @@ TEST(Best, IsOfThePapersAlgorithmHoweverFastAnotherRunIs) {
   }
 }
 
+// A library that is faster is no generated elimination.
+TEST(Best, CallsGeneratedWhatIsGenerated) {
+  Json json = record_with_settings();
+  const std::string plain = to_csv(table_of(json, "best"));
+  set_family(json, "group_symbolic_lapack", 1e-3);
+  add_candidate(json, "group_symbolic_lapack/guess:adams8/tolerance:1e-10", 1e-3);
+  EXPECT_EQ(to_csv(table_of(json, "best")), plain);
+}
+
 bool limits(const Json& json, const std::string& part) {
   return says(limitations(record_from(json)).paragraphs, part);
 }

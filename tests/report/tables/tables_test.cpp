@@ -182,7 +182,7 @@ TEST(TimeSplit, HasNoNumbersOfWhatFailed) {
              {{"total", failed_mark}, {"factorisation", failed_mark}});
 }
 
-TEST(Report, SkipsFamiliesWithoutACell) {
+TEST(Report, SkipsFamiliesWithoutACandidate) {
   Json json = complete_record();
   for (const char* family : {"cholmod", "umfpack"}) erase_family(json, family);
   const Document document = make_report(record_from(json));

@@ -41,6 +41,31 @@ TEST(Threads, StandInATableOfTheWallClockAlone) {
             << other.name;
 }
 
+TEST(Threads, ShowTheRequestsOfTheWallClock) {
+  Json json = threads_record();
+  const Json request = json["paper"]["requests"][0];
+  const std::string title = request["title"];
+  for (const auto& [suffix, seconds] : {std::pair{"/threads:2", 0.01}, {"/clock:wall", 0.04}}) {
+    json["paper"]["requests"].push_back(
+        timed(request, hermite_lanes + std::string(suffix), seconds));
+    json["paper"]["requests"].back()["time"]["clock"] = "wall";
+  }
+  const Document document = make_report(record_from(json));
+  const Table table = table_named(document, "threads_truck_suspension");
+  const std::string coordinates = std::to_string(request["coordinates"].get<int>());
+  EXPECT_EQ(table.rows.size(), 4u);
+  expect_row(table, {"114", "everything", hermite_lanes, "2"},
+             {{"times one thread", "2.00 [2.00, 2.00]"}});
+  expect_row(table, {coordinates, title, hermite_lanes, "2"},
+             {{"wall s", "0.01000 …"}, {"times one thread", "4.00 [4.00, 4.00]"}});
+  for (const auto& row : table_named(document, "requests_truck_suspension_" + coordinates).rows)
+    EXPECT_LACKS(row[2].shown, hermite_lanes);
+  fail(json["paper"]["requests"].back());
+  EXPECT_EQ(failures(record_from(json)).size(), failures(record_from(threads_record())).size() + 1);
+  json["paper"]["requests"].back()["id"] = "a_b_c/threads:x";
+  EXPECT_CONTAINS(complaint(json), "\"a_b_c/threads:x\" has no number of threads");
+}
+
 TEST(Threads, HaveNoRatioOverCpuTime) {
   Json json = threads_record();
   json["paper"]["candidates"].erase(json["paper"]["candidates"].size() - 1);
