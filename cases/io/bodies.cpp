@@ -10,11 +10,35 @@ namespace {
 
 using Vec = Mechanism::Vec;
 
+using Exact = Mechanism::ExactVec;
+
+double length(const Vec& x) { return std::hypot(x[0], x[1], x[2]); }
+Derived length(const Exact& x) { return sqrt(dot(x, x)); }
+
 /// Returns a vector turned by a rotation vector [rad].
-Vec turned(const Vec& x, const Vec& rotation) {
-  const double angle = std::hypot(rotation[0], rotation[1], rotation[2]);
-  if (angle == 0) return x;
+template <class S>
+std::array<S, 3> turned(const std::array<S, 3>& x, const std::array<S, 3>& rotation) {
+  const S angle = length(rotation);
+  if (as<double>(angle) == 0) return x;
   return turned_about({rotation[0] / angle, rotation[1] / angle, rotation[2] / angle}, angle, x);
+}
+
+/// The place of a frame as the file means it. Mechanism::Frame has it rounded.
+struct ExactPlace {
+  Exact origin{}, rotation{};
+
+  Exact position(const Exact& local) const {
+    Exact x = turned(local, rotation);
+    for (int i = 0; i < 3; ++i) x[i] = x[i] + origin[i];
+    return x;
+  }
+};
+
+/// Returns what the rounded components of a vector lack.
+std::array<Remainder, 3> remainder_of(const Exact& exact, const Vec& rounded) {
+  std::array<Remainder, 3> all;
+  for (int i = 0; i < 3; ++i) all[i] = exact[i].about(rounded[i]).remainder();
+  return all;
 }
 
 class BodyReader {
@@ -54,40 +78,50 @@ class BodyReader {
   void read_shape(const JsonValue& value, Mechanism::Body& body) {
     value.allow({"at", "points", "vectors"});
     Mechanism::Frame& frame = body.own.emplace();
-    read_place(value["at"], frame);
+    ExactPlace exact = read_place(value["at"], frame);
     Names own;
     std::vector<Mechanism::Point> points;
     if (const auto list = value.find("points"))
       points = read_points(*list, mechanism_.dimension, units_, own);
-    meet_what_is_drawn(points, frame);
+    meet_what_is_drawn(points, frame, exact);
     for (const Mechanism::Point& p : points) {
       const Vec x = drawn_position(frame, p.position);
-      body.points.push_back(
-          place(mechanism_.points, names_.points, own.points, body.points, {p.name, x}));
+      body.points.push_back(place(mechanism_.points, names_.points, own.points, body.points,
+                                  {p.name, x, remainder_of(exact.position(p.exact()), x)}));
       frame.points.push_back(p.exact());
     }
     for (const auto& [name, u, along, remainder] :
          read_vectors(value, mechanism_.dimension, points, own)) {
-      body.vectors.push_back(place(mechanism_.vectors, names_.vectors, own.vectors, body.vectors,
-                                   {name, turned(u, frame.rotation)}));
       frame.vectors.push_back(Mechanism::exact(u, remainder));
+      const Vec x = turned(u, frame.rotation);
+      const Exact meant = turned(frame.vectors.back(), exact.rotation);
+      body.vectors.push_back(place(mechanism_.vectors, names_.vectors, own.vectors, body.vectors,
+                                   {name, x, {}, remainder_of(meant, x)}));
     }
   }
 
   /// Moves a frame in which some points have been placed before, and some have not. The points
   /// placed before are then, on average, where they were placed.
-  void meet_what_is_drawn(const std::vector<Mechanism::Point>& points,
-                          Mechanism::Frame& frame) const {
+  void meet_what_is_drawn(const std::vector<Mechanism::Point>& points, Mechanism::Frame& frame,
+                          ExactPlace& exact) const {
     Vec way{};
+    Exact exact_way{};
     std::size_t drawn = 0;
     for (const Mechanism::Point& p : points)
       if (const auto known = names_.points.position(p.name)) {
         const Vec to = mechanism_.points[*known].position, from = drawn_position(frame, p.position);
-        for (int i = 0; i < 3; ++i) way[i] += to[i] - from[i];
+        const Exact target = mechanism_.points[*known].exact(), begin = exact.position(p.exact());
+        for (int i = 0; i < 3; ++i) {
+          way[i] += to[i] - from[i];
+          exact_way[i] = exact_way[i] + target[i] - begin[i];
+        }
         ++drawn;
       }
     if (drawn == 0 || drawn == points.size()) return;
-    for (int i = 0; i < 3; ++i) frame.origin[i] += way[i] / static_cast<double>(drawn);
+    for (int i = 0; i < 3; ++i) {
+      frame.origin[i] += way[i] / static_cast<double>(drawn);
+      exact.origin[i] = exact.origin[i] + exact_way[i] / static_cast<double>(drawn);
+    }
   }
 
   /// Returns the index in `all` of an entity of a body's frame. Adds it to `all` and its name to
@@ -104,15 +138,23 @@ class BodyReader {
     return static_cast<int>(all.size()) - 1;
   }
 
-  void read_place(const JsonValue& value, Mechanism::Frame& frame) const {
+  ExactPlace read_place(const JsonValue& value, Mechanism::Frame& frame) const {
+    ExactPlace exact;
     const std::vector<JsonValue> numbers = value.elements();
     const int n = mechanism_.dimension;
     if (numbers.size() != static_cast<std::size_t>(n == 2 ? 3 : 6))
       value.complain("has " + std::to_string(numbers.size()) + " numbers; give the origin and " +
                      (n == 2 ? "the angle: three" : "the rotation vector: six"));
-    for (int i = 0; i < n; ++i) frame.origin[i] = numbers[i].number() * units_.length.in_si;
-    for (std::size_t i = n; i < numbers.size(); ++i)
-      frame.rotation[n == 2 ? 2 : i - n] = numbers[i].number() * units_.angle.in_si;
+    for (int i = 0; i < n; ++i) {
+      frame.origin[i] = numbers[i].number() * units_.length.in_si;
+      exact.origin[i] = Derived(numbers[i].number()) * units_.length.in_si;
+    }
+    for (std::size_t i = n; i < numbers.size(); ++i) {
+      const std::size_t k = n == 2 ? 2 : i - n;
+      frame.rotation[k] = numbers[i].number() * units_.angle.in_si;
+      exact.rotation[k] = exact_size(units_.angle) * numbers[i].number();
+    }
+    return exact;
   }
 
   void read_lists(const JsonValue& value, Mechanism::Body& body) const {

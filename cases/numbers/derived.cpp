@@ -33,6 +33,8 @@ Derived sqrt(const Derived& a) {
   const bool is_zero = a.value == 0 && a.correction == 0 && a.radius == 0;
   return is_zero ? a : derived(sqrt(Number(a)));
 }
+Derived sin(const Derived& a) { return derived(sin(Number(a))); }
+Derived cos(const Derived& a) { return derived(cos(Number(a))); }
 
 Derived atan2(const Derived& y, const Derived& x) {
   const double angle = std::atan2(y.value, x.value);

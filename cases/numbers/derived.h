@@ -40,6 +40,8 @@ struct Derived {
   friend Derived operator*(const Derived& a, const Derived& b);
   friend Derived operator/(const Derived& a, const Derived& b);
   friend Derived sqrt(const Derived& a);
+  friend Derived sin(const Derived& a);
+  friend Derived cos(const Derived& a);
   /// Returns the angle of the direction (x, y) [rad]; its value is std::atan2 of the values. The
   /// values of x and y must not both be 0.
   friend Derived atan2(const Derived& y, const Derived& x);

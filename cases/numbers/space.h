@@ -20,8 +20,10 @@ std::array<S, 3> cross(const std::array<S, 3>& a, const std::array<S, 3>& b) {
 /// Returns a vector turned by an angle [rad] about an axis of length 1 (Rodrigues).
 template <class S>
 std::array<S, 3> turned_about(const std::array<S, 3>& axis, S angle, const std::array<S, 3>& v) {
-  const S cosine = std::cos(angle), sine = std::sin(angle);
-  const S along = (1 - cosine) * dot(axis, v);
+  using std::cos;
+  using std::sin;
+  const S cosine = cos(angle), sine = sin(angle);
+  const S along = (S(1) - cosine) * dot(axis, v);
   const std::array<S, 3> across = cross(axis, v);
   std::array<S, 3> result;
   for (int i = 0; i < 3; ++i) result[i] = cosine * v[i] + sine * across[i] + along * axis[i];

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <boost/multiprecision/float128.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "cases/mechanism/mechanism.h"
+#include "cases/numbers/space.h"
 #include "tests/files/common.h"
 
 namespace desmo::mechanism_file_test {
@@ -109,6 +112,32 @@ TEST(MechanismFile, LongChainsOfDefinitionsAreResolved) {
   const std::string cyclic = mechanism_complaint(chain("{\"normal\": [\"n0\", \"a\"]}"));
   EXPECT_CONTAINS(cyclic, "is defined by itself");
   EXPECT_LT(cyclic.size(), 300u);
+}
+
+/// Rounded coordinates would lose 1e-10 m here, far from the frame's origin.
+TEST(MechanismFile, PlacesFramesExactly) {
+  using Wide = boost::multiprecision::float128;
+  const Mechanism m = parse_mechanism(R"({"format": "desmo-mechanism", "version": 1, "name": "far",
+    "dimension": 3, "units": {"length": "mm", "angle": "deg"}, "points": {"A": [1, 2, 3]},
+    "ground": {"points": ["A"]},
+    "bodies": {"b": {"at": [-1e9, 3, 1e8, 20, 30, -50],
+                     "points": {"A": [1e9, 1, 2], "B": [1000000003, 1, 4]},
+                     "vectors": {"u": [1, 2, 2]}}},
+    "joints": [{"type": "spherical", "bodies": ["ground", "b"], "points": ["A"]}]})",
+                                      "m.json");
+  const Wide degree = acos(Wide(-1)) / 180, angle = sqrt(Wide(3800));
+  const auto turned = [&](const std::array<Wide, 3>& x) {
+    return turned_about<Wide>({20 / angle, 30 / angle, -50 / angle}, degree * angle, x);
+  };
+  const std::array<Wide, 3> b = turned({3, 0, 2}), u = turned({1, 2, 2});
+  constexpr double max_radius = 1e-13;  // 1e6 m times the error of sines, 2^-68, and its sums
+  for (int i = 0; i < 3; ++i) {
+    const Derived x = m.points[1].exact()[i], e = m.vectors[0].exact()[i];
+    EXPECT_LE(x.radius, max_radius);
+    EXPECT_LE(e.radius, 1e-19);
+    EXPECT_LE(double(abs(as<Wide>(x) - (1 + i + b[i]) * Wide(1e-3))), x.radius + 1e-25);
+    EXPECT_LE(double(abs(as<Wide>(e) - u[i] / 3)), e.radius + 1e-30);
+  }
 }
 
 }  // namespace
