@@ -158,7 +158,7 @@ class VariedDrawing {
   double reach(const Constraint& c) const {
     const auto x = operands_of(m_, c, state_.data());
     double longest = 0;
-    for (std::size_t k = 0; k < x.size(); ++k)
+    for (std::size_t k = 0; k < Kind::operand_sizes.size(); ++k)
       for (std::size_t other = 0; other <= k; ++other) {
         const bool are_points = is_point(c.operands[k]) && is_point(c.operands[other]);
         if (!are_points && other < k) continue;
