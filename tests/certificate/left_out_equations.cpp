@@ -11,12 +11,15 @@
 #include <vector>
 
 #include "cases/io/files.h"
+#include "formulations/constraints/kinds.h"
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/plan.h"
+#include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/chosen_equations.h"
+#include "formulations/verification/branch/file_variation.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/starts.h"
@@ -219,6 +222,19 @@ TEST(LeftOutEquations, AreToldAsFarAsDigitsGo) {
     const FollowedStep followed = path.go_to(0.85);
     EXPECT_EQ(followed.end, PathEnd::same);
     EXPECT_EQ(followed.sub_steps == 1, from_origin > 1e11L);
+  }
+}
+
+/// Dimensions that are not the drawing's vary by the reach of what they are measured between.
+TEST(FileVariation, OfStatedDimensionsIsOfTheirLastDigits) {
+  for (const auto& [drawn, grid] : every_motion()) {
+    Model m = drawn;
+    for (Constraint& c : m.constraints)
+      if (description_of(c.kind).table < 0)
+        for (Derived& d : c.constants) d = d * Derived(1.001);
+    const double size = nominal_size(m);
+    for (const Constraint& c : with_file_variation(m).constraints)
+      for (const double slack : c.slack) EXPECT_LE(slack, 1e-14 * size) << m.name << ' ' << c.name;
   }
 }
 
