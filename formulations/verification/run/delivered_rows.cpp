@@ -49,12 +49,8 @@ bool CheckedMotion::deliver_point(const Instant& at) {
 /// Flags the result where its branch is unknown, or the way to it from the drawing crosses a change
 /// point. A worse flag stays, a misfit in any.
 void CheckedMotion::complete_flag() {
-  for (const std::optional<RowFlag>& flag : {state_.lost, state_.first_flag}) {
-    if (!flag || (result_.flag && result_.flag->kind <= flag->kind)) continue;
-    const std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
-    result_.flag = flag;
-    result_.flag->misfit = misfit;
-  }
+  for (const std::optional<RowFlag>& flag : {state_.lost, state_.first_flag})
+    if (flag) worsen(result_.flag, *flag);
   state_.first_flag.reset();
   if (result_.flag) result_.flag->time = result_.instant.time;
 }

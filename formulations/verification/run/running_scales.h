@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "cases/mechanism/motion.h"
 #include "formulations/base/observer.h"
 #include "formulations/model/model.h"
@@ -13,6 +11,7 @@ namespace desmo {
 /// rates of the drivers over the grid, or at 0 if it has no instants, and grow with each instant.
 class RunningScales {
  public:
+  /// The model must outlive this object.
   RunningScales(const Model& model, const TimeGrid& grid);
 
   /// Includes an instant.
@@ -20,11 +19,7 @@ class RunningScales {
   Scales current() const;
 
  private:
-  struct Moving {
-    int first, size;  // coordinates
-    bool is_length;
-  };
-  std::vector<Moving> moving_;
+  const Model& m_;
   Scales seen_;
 };
 
