@@ -194,8 +194,7 @@ class CheckedRun final : Observer {
       const std::vector<double> q = motion_.followed_to();  // empty: one rests on a change point
       return !q.empty() && stepping_of(formulation_).start_at(q, grid_.time(index));
     };
-    const auto [gap, again] =
-        find_gap(formulation_, grid_, tried_, summary_, options_.levels, leads_to);
+    const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_, leads_to);
     summary_.gaps.push_back(gap);
     withdraw_failure();
     tried_ = again;
