@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cases/numbers/interval.h"
 #include "formulations/verification/branch/step_growth.h"

@@ -44,10 +44,9 @@ SingularityCrossing::SingularityCrossing(const Model& m, const CertifiedInstant&
   if (line_.exists()) find_nodes(last);
 }
 
-/// Finds the first node, up to `way_before` it. The last instant is so near to
-/// the point that no path leads back from it. So a path starts from a point of its Taylor
-/// polynomial. That is on the same branch if the nodes, extended to s = 0, meet the last instant
-/// (leads_to()).
+/// Finds the first node, at most `way_before` from the point. The last instant is so near to the
+/// point that no path leads back from it. So a path starts from a point of its Taylor polynomial.
+/// That is on the same branch if the nodes, extended to s = 0, meet the last instant (leads_to()).
 void SingularityCrossing::find_nodes(const CertifiedInstant& last) {
   const std::vector<double> zeros(model_.coordinates());
   const std::optional<Node> here = node({0, {last.values.position, zeros, zeros}, {}});
