@@ -55,7 +55,7 @@ TEST(Passage, ContinuesSmoothly) {
     SCOPED_TRACE(std::to_string(i) + ' ' + way.name);
     const Model m = scene.model(way.motion);
     StuckPath path(m, -1, 1);
-    std::optional<PassedPoint> point = pass_change_point(m, path.present());
+    std::optional<PassedPoint> point = passage_of(m, path.present());
     if (!point) continue;
     ++passed;
     EXPECT_EQ(point->after, path.present().time);
@@ -79,7 +79,7 @@ TEST(Passage, BeginsOnThePoint) {
     const double direction = 0.7 * scene.sign;
     const Model drawn = scene.model(Polynomial{{point, direction}}), m = scene.model(motion);
     StuckPath path(drawn, -1, 0);
-    auto passage = pass_change_point(m, path.present(), std::span(&direction, 1), 0);
+    auto passage = passage_of(m, path.present(), std::span(&direction, 1), 0);
     if (!passage) continue;
     ++passed;
     scene.expect_continued(m, *passage, passes);
@@ -98,7 +98,7 @@ TEST(Passage, StopsAtADeadPoint) {
     StuckPath path(m, 0, locks + 0.1);
     m.drivers[0].motion = motion;
     const double direction = 1;
-    EXPECT_FALSE(pass_change_point(m, path.present(), std::span(&direction, 1), 0));
+    EXPECT_FALSE(passage_of(m, path.present(), std::span(&direction, 1), 0));
   }
 }
 
@@ -128,11 +128,28 @@ TEST(Passage, IsFoundInASmallPartOfALargeMechanism) {
                                          "small_part.scene.json", ""));
   EXPECT_NEAR(nominal_size(m), 1.78e6, 1e3);
   StuckPath path(m, -1, 1);
-  const auto point = pass_change_point(m, path.present());
+  const auto point = passage_of(m, path.present());
   ASSERT_TRUE(point);
   ASSERT_TRUE(path.start_at(point->beyond()));
   ASSERT_EQ(path.go_to(1).end, PathEnd::same);
   EXPECT_NEAR(m.value("C.y", path.present().values.position), 0.6, 1e-8);
+}
+
+/// Most of them lead to the first node; from ten times as far it would be 700 a passage.
+TEST(Passage, TakesFewTests) {
+  std::mt19937 generator(41);
+  constexpr int passages = DESMO_SANITIZED ? 2 : 20;
+  int tests = 0;
+  for (int i = 0; i < passages; ++i) {
+    const DrawnFourBar scene(generator);
+    const Model m = scene.model(Polynomial{{scene.bars.point, 0.7 * scene.sign}});
+    StuckPath path(m, -1, 1);
+    TestBudget budget(BranchPath::max_tests);
+    EXPECT_TRUE(pass_change_point(m, path.present(), no_position, budget));
+    tests += BranchPath::max_tests - budget.left();
+  }
+  std::cout << tests / passages << " tests a passage\n";
+  EXPECT_LE(tests, 500 * passages);
 }
 
 /// Returns a parallelogram whose crank is the rocker of a four-bar, which turns back just where the
@@ -159,7 +176,8 @@ TEST(Passage, IsToldByTheFall) {
     SCOPED_TRACE(i);
     const Model m = scene.model(Polynomial{{scene.bars.point, 0.7 * scene.sign}});
     StuckPath path(m, -1, 1);
-    SingularityCrossing crossing(m, path.present(), std::span(&scene.sign, 1));
+    TestBudget budget(BranchPath::max_tests);
+    SingularityCrossing crossing(m, path.present(), std::span(&scene.sign, 1), no_position, budget);
     ASSERT_TRUE(crossing.find());
     int level = 0;
     while (crossing.distance(level) > crossing.reach()) ++level;
@@ -179,7 +197,8 @@ TEST(Passage, IsToldByTheFall) {
   const double direction = 1;
   const Model m = touching_branches(0);
   StuckPath path(m, -1, 1);
-  SingularityCrossing crossing(m, path.present(), std::span(&direction, 1));
+  TestBudget budget(BranchPath::max_tests);
+  SingularityCrossing crossing(m, path.present(), std::span(&direction, 1), no_position, budget);
   for (const int level : {4, 5, 6}) {
     const double driver = crossing.line().at(crossing.distance(level))[0];
     const auto right = double_solution(touching_branches(driver), std::array{-1.0}).front().q;

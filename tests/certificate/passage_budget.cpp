@@ -63,19 +63,23 @@ TEST(PassageBudget, BoundsTheTestsOfAllPaths) {
   }
 }
 
-/// A path takes its tests from the budget, and only its share of what is left.
+/// A path takes its tests from the budget, and only half of what is left.
 TEST(PassageBudget, IsShared) {
   const Model m = sliders_between_infinities();
   BranchPath path(m);
   ASSERT_TRUE(start(m, 0, path));
   TestBudget budget(800);
-  const FollowedStep back = path.go_to(-1.3, budget, 8);
+  const FollowedStep back = path.go_to(-1.3, budget);
   EXPECT_EQ(back.end, PathEnd::stuck);
   EXPECT_TRUE(back.out_of_tests);
-  EXPECT_EQ(back.tests, 100);
-  EXPECT_EQ(budget.left(), 700);
-  EXPECT_EQ(path.go_to(path.present().time, budget, 8).tests, 0);
-  EXPECT_EQ(budget.left(), 699);  // each path counts as at least one
+  EXPECT_EQ(back.tests, 400);
+  EXPECT_EQ(budget.left(), 400);
+  EXPECT_EQ(path.go_to(path.present().time, budget).tests, 0);
+  EXPECT_EQ(budget.left(), 399);  // each path counts as at least one
+  TestBudget half = budget.half();
+  EXPECT_EQ(half.left(), 200);
+  half.take(1000);
+  EXPECT_EQ(budget.left(), 199);
   budget.take(1000);
   EXPECT_EQ(budget.left(), 0);
 }

@@ -7,6 +7,7 @@
 
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/verification/branch/departure.h"
 #include "formulations/verification/branch/passage.h"
 #include "tests/certificate/starts.h"
 
@@ -48,7 +49,7 @@ double skew(const Model& m, std::span<const double> q) {
 TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
   const Model both = on_arm(Polynomial{{0, 0.3, 0.2}}, Polynomial{{0, 1, 0.2}});
   StuckPath path(both, -1, 1);
-  auto point = pass_change_point(both, path.present());
+  auto point = passage_of(both, path.present());
   ASSERT_TRUE(point);
   EXPECT_LE(skew(both, positions_on(*point, both, 0)), 1e-12);
   ASSERT_TRUE(path.start_at(point->beyond()));
@@ -58,7 +59,7 @@ TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
   // Both drivers rest on the point, and the arm turns on while the crank turns back.
   const Model back = on_arm(Polynomial{{0.343, 0, 0, 1}}, Polynomial{{0.343, 0, -1.3, 1}});
   StuckPath returning(back, -0.7, 0.7);
-  const auto turn = pass_change_point(back, returning.present());
+  const auto turn = passage_of(back, returning.present());
   ASSERT_TRUE(turn);
   ASSERT_TRUE(returning.start_at(turn->beyond()));
   ASSERT_EQ(returning.go_to(0.7).end, PathEnd::same);
@@ -67,9 +68,9 @@ TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
   const Model first = on_arm(Polynomial{{0}}, Polynomial{{0, 1}});
   StuckPath arriving(first, -0.7, 0);
   const std::vector<double> direction{0, 1};
-  EXPECT_TRUE(pass_change_point(first, arriving.present(), direction, 0));
+  EXPECT_TRUE(passage_of(first, arriving.present(), direction, 0));
   const Model corner = on_arm(Polynomial{{0, 0.5}}, Polynomial{{0, 1.2}});
-  EXPECT_FALSE(pass_change_point(corner, arriving.present(), direction, 0));
+  EXPECT_FALSE(passage_of(corner, arriving.present(), direction, 0));
 }
 
 /// Drivers that go straight are off their line by rounding alone, which is no corner. At 1000 rad
@@ -78,13 +79,26 @@ TEST(Passage, TellsACornerFromRounding) {
   for (const double rate : {0.3, 0.7, -0.45}) {
     const Model straight = on_arm(Polynomial{{0, rate}}, Polynomial{{0, 0.9}});
     StuckPath path(straight, -0.6, 0.6);
-    EXPECT_TRUE(pass_change_point(straight, path.present())) << rate;
+    EXPECT_TRUE(passage_of(straight, path.present())) << rate;
   }
   const Model first = on_arm(Polynomial{{1000}}, Polynomial{{1000, 1}});
   StuckPath arriving(first, -0.6, 0);
   const std::vector<double> direction{0, 1};
   const Model corner = on_arm(Polynomial{{1000, 4e-7}}, Polynomial{{1000, 1.2}});
-  EXPECT_FALSE(pass_change_point(corner, arriving.present(), direction, 0));
+  EXPECT_FALSE(passage_of(corner, arriving.present(), direction, 0));
+}
+
+/// A fourth of the way off, the angle to the line is a fourth of that of a tangent path, and all of
+/// that of a corner.
+TEST(Departure, HasACornerWhereItsAngleToTheLineStays) {
+  const std::vector<double> direction{0, 1};
+  for (const Polynomial& arm : {Polynomial{{0, 0, 0.1}}, Polynomial{{0, 0.1}}}) {
+    const Model m = on_arm(arm, Polynomial{{0, 1}});
+    std::vector<double> q = m.estimate;
+    q[m.coordinate("theta")] = 0;
+    const DriverLine line(m, q, direction);
+    EXPECT_EQ(Departure(m, line, 0).has_corner(0.1, 0.4), arm.coefficients.size() == 2);
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -42,6 +43,14 @@ struct StuckPath : BranchPath {
     EXPECT_EQ(go_to(to).end, PathEnd::stuck) << m.name;
   }
 };
+
+/// Passes a change point, whose group is not known, by a budget of its own. beginning: direction of
+/// the drivers and time [s], where the motion begins on the point.
+std::optional<PassedPoint> passage_of(const Model& m, const CertifiedInstant& last,
+                                      const auto&... beginning) {
+  TestBudget budget(BranchPath::max_tests);
+  return pass_change_point(m, last, beginning..., no_position, budget);
+}
 
 /// Returns the positions on a passed point of a model at a time.
 inline std::vector<double> positions_on(PassedPoint& point, const Model& m, double time) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cases/numbers/interval.h"
 #include "formulations/verification/branch/step_growth.h"
@@ -45,21 +46,16 @@ bool BranchPath::start_at(const CertifiedInstant& instant) {
   bool complete = true;
   for (const Level level : all_levels) {
     const std::span<const double> given = instant.values[level];
-    std::vector<double>& values = predicted_.values[level];
-    if (instant.levels.empty() && !given.empty()) {
-      std::ranges::copy(given, values.begin());
-      continue;
-    }
     for (int i = 0; i < m_.coordinates(); ++i) {
-      const bool solved = !given.empty() && level <= instant.levels[i];
-      values[i] = solved ? given[i] : 0;
+      const bool solved = !given.empty() && (instant.levels.empty() || level <= instant.levels[i]);
+      predicted_.values[level][i] = solved ? given[i] : 0;
       complete &= solved;
     }
   }
   if (complete) {
-    for (const Level level : all_levels) memory_.values[level].swap(predicted_.values[level]);
-    std::ranges::copy(instant.radius, memory_.radius.begin());
-    memory_.time = instant.time;
+    predicted_.time = instant.time;
+    std::ranges::copy(instant.radius, predicted_.radius.begin());
+    std::swap(memory_, predicted_);
     present_ = memory_.view();
     worst_conditioned_ = no_position;
     return true;
@@ -121,8 +117,8 @@ FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time,
 
 FollowedStep BranchPath::go_to(double time) { return go(time, nullptr, budget_); }
 
-FollowedStep BranchPath::go_to(double time, TestBudget& budget, int share) {
-  const FollowedStep step = go(time, nullptr, std::min(budget_, budget.left() / share));
+FollowedStep BranchPath::go_to(double time, TestBudget& budget) {
+  const FollowedStep step = go(time, nullptr, std::min(budget_, budget.half().left()));
   budget.take(std::max(1, step.tests));
   return step;
 }

@@ -53,9 +53,9 @@ class BranchPath {
   FollowedStep follow(const CertifiedInstant& to);
   /// Goes to another time (`same`), or as far as the motion leads (`stuck`).
   FollowedStep go_to(double time);
-  /// Like go_to(time), but with a budget that other paths share. Takes at least one test from it,
-  /// and at most 1/share of what is left, so that one path alone does not use it up.
-  FollowedStep go_to(double time, TestBudget& budget, int share);
+  /// Like go_to(time), but with half of a budget that other paths share. Takes at least one test
+  /// from it.
+  FollowedStep go_to(double time, TestBudget& budget);
 
   /// Returns whether positions q at a time [s] of the last step lie in its tube, up to rounding.
   /// The tube is widened by count × tolerance of each coordinate. The step must have been proven at

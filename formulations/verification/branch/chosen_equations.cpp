@@ -28,17 +28,14 @@ RankedRows ranked(const MatrixXd& rows) {
   return {qr.colsPermutation().indices(), std::abs(qr.matrixQR()(n - 1, n - 1))};
 }
 
-bool is_kept(const Model& m, const std::pair<int, int>& row) {
-  return !(m.constraints[row.first].left_out >> row.second & 1);
-}
-
 /// Replaces the kept equations of a group where others are clearly more independent. Returns
 /// whether it replaced them.
 bool choose(Model& m, const GroupSystem& s, const MatrixXd& all) {
   MatrixXd kept(s.unknowns, s.unknowns);
   int count = 0;
-  for (std::size_t i = 0; i < s.rows.size(); ++i)
-    if (is_kept(m, s.rows[i])) kept.row(count++) = all.row(static_cast<Eigen::Index>(i));
+  for (Eigen::Index i = 0; i < all.rows(); ++i)
+    if (const auto& [c, row] = s.rows[i]; !(m.constraints[c].left_out >> row & 1))
+      kept.row(count++) = all.row(i);
   const auto [order, last] = ranked(all);
   if (!(last > better * ranked(kept).last)) return false;
   for (const auto& [c, row] : s.rows) m.constraints[c].left_out |= 1u << row;

@@ -14,16 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns a time at which is_away becomes true, by bisection from `inside`, where it is false, to
-/// `away`, where it is true.
-double first_away(double inside, double away, const auto& is_away) {
-  for (int i = 0; i < 64; ++i) {
-    const double middle = inside + (away - inside) / 2;
-    (is_away(middle) ? away : inside) = middle;
-  }
-  return away;
-}
-
 }  // namespace
 
 PerLevel<std::vector<double>> drivers_at(const Model& m, double time) {
@@ -57,30 +47,18 @@ double Departure::time_at(double distance) const {
   const auto next_knot = [&] { return first_knot(m_, begin, infinity).value_or(infinity); };
   for (double knot = next_knot();;) {
     step = std::max(2 * step, std::nextafter(begin, infinity) - begin);
-    const double next = std::min(begin + step, knot);
+    double next = std::min(begin + step, knot);
     if (next == infinity) return infinity;
-    if (is_away(next)) return first_away(inside, next, is_away);
+    if (is_away(next)) {
+      for (int i = 0; i < 64; ++i) {  // bisects
+        const double middle = inside + (next - inside) / 2;
+        (is_away(middle) ? next : inside) = middle;
+      }
+      return next;
+    }
     inside = next;
     if (next == knot) begin = knot, step = 0, knot = next_knot();
   }
-}
-
-double Departure::turn_after(double time, double until) const {
-  const std::vector<double> rates = drivers_at(m_, time).velocity;
-  const auto has_turned = [&](double t) {
-    const std::vector<double> now = drivers_at(m_, t).velocity;
-    for (std::size_t k = 0; k < now.size(); ++k)
-      if (line_.counts(k) && !(rates[k] * now[k] >= 0)) return true;
-    return false;
-  };
-  double inside = time;
-  const double last_digit = std::nextafter(time, infinity) - time;
-  for (double step = std::max(time - start_, last_digit); inside < until; step *= 2) {
-    const double next = std::min(inside + step, until);
-    if (has_turned(next)) return first_away(inside, next, has_turned);
-    inside = next;
-  }
-  return until;
 }
 
 bool Departure::has_corner(double near, double far) const {

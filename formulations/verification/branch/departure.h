@@ -27,11 +27,6 @@ class Departure {
   /// origin; infinity if they never are.
   double time_at(double distance) const;
 
-  /// Returns about the first time after `time` at which one of the drivers turns back; `until` if
-  /// none does before. Looks at times in doubled steps: if the driver turns back and forth
-  /// between two of them, that is not seen.
-  double turn_after(double time, double until) const;
-
   /// Returns whether the path of several drivers leaves the origin in another direction than the
   /// line. Where a path is tangent to the line, the angle between them falls to zero with the
   /// distance. So there is a corner if the angle at the distance `near` exceeds half of that at

@@ -15,10 +15,9 @@ namespace desmo {
 namespace {
 
 /// Proves the instant of the motion at a time, on the branch to which the line leads. Proves also
-/// that the motion goes on from there to a later time, or to a point at which another group is
-/// stuck. Writes point.before and point.first.
-bool prove_beyond(const Model& m, SingularityCrossing& crossing, GroupId group, double time,
-                  double later, PassedPoint& point) {
+/// that the motion goes on from there to a later time. Writes point.before and point.first.
+bool prove_beyond(const Model& m, SingularityCrossing& crossing, double time, double later,
+                  TestBudget& budget, PassedPoint& point) {
   const PerLevel<std::vector<double>> z = drivers_at(m, time);
   const double s = crossing.line().arc(z.position);
   const CertifiedInstant* on_line = crossing.go_to(s);
@@ -32,29 +31,23 @@ bool prove_beyond(const Model& m, SingularityCrossing& crossing, GroupId group, 
     qdd[i] = qdd[i] * rate * rate + qd[i] * change;
     qd[i] *= rate;
   }
-  if (m.drivers.size() > 1 &&
-      !StraightPath(m).lead(crossing.line().at(s), z.position, q, crossing.budget()))
+  if (m.drivers.size() > 1 && !StraightPath(m).lead(crossing.line().at(s), z.position, q, budget))
     return false;
-  crossing.budget().take();
+  budget.take();
   Refinement refinement(m);
   const RefinedInstant& r = refinement.refine(instant_of(time, x.view().values));
   if (!r.proven) return false;
   BranchPath path(m);
-  if (!path.start_at(certified(r))) return false;
-  const FollowedStep step = path.go_to(later, crossing.budget(), 2);
-  // The point at which another group is stuck must be as far from here as point.after is.
-  const bool leads_away =
-      step.group != group && path.present().time - point.after >= 2 * (time - point.after);
-  if (step.end != PathEnd::same && !(group != no_position && leads_away)) return false;
+  if (!path.start_at(certified(r)) || path.go_to(later, budget).end != PathEnd::same) return false;
   point.before = time;
   point.first.assign(certified(r));
   return true;
 }
 
-/// Returns the model with each table replaced by its piece at positions q, which goes on for eight
-/// lengths of the table to both sides. Returns nothing if it has no tables. At a knot on a change
-/// point third derivatives jump, so no continuation is smooth there. The branch that is smooth in
-/// this model agrees with the motion up to second derivatives.
+/// Returns the model with each table replaced by its piece at positions q, which goes on for
+/// the length of the table to both sides. Returns nothing if it has no tables. At a knot on a
+/// change point third derivatives jump, so no continuation is smooth there. The branch that is
+/// smooth in this model agrees with the motion up to second derivatives.
 std::optional<Model> with_tables_continued(const Model& m, std::span<const double> q) {
   constexpr int table = TableCoupling::table, numbers = table + table_size(1);
   std::optional<Model> smooth;
@@ -67,7 +60,7 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
     const auto [piece, turns] = find_in_table<double>([&](int k) { return number(k).value; }, at);
     if (piece < 0) continue;
     const TablePieces pieces{number};
-    const double far = 8 * pieces.length.value, begin = at - far;
+    const double far = pieces.length.value, begin = at - far;
     const auto [a0, a1, a2, a3] = pieces.about(piece, turns, begin);
     const std::array<Derived, table_size(1)> single{1, 0, 0, begin, at + far, a0, a1, a2, a3};
     if (!smooth) smooth = m;
@@ -82,15 +75,9 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
 /// tables continued, so that no knot is on the point.
 std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const CertifiedInstant& last,
                                 std::span<const double> direction, double start, GroupId group,
-                                TestBudget& budget) {
-  // Half of the tests are left to the next try.
-  const int max_tests = (budget.left() + 1) / 2;
-  SingularityCrossing crossing(smooth, last, direction, group, max_tests);
-  const auto ended = [&](std::optional<PassedPoint> point) {
-    budget.take(max_tests - crossing.budget().left());
-    return point;
-  };
-  if (!crossing.find()) return ended({});
+                                TestBudget budget) {
+  SingularityCrossing crossing(smooth, last, direction, group, budget);
+  if (!crossing.find()) return {};
   PassedPoint point{.time = start,
                     .after = start,
                     .before = INFINITY,
@@ -102,43 +89,22 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
   // until they are.
   for (double d = std::max(4 * crossing.nearest(), Interval::unit); d < crossing.reach(); d *= 2) {
     const double time = departure.time_at(d);
-    if (time == INFINITY) return ended(point);
-    if (departure.has_corner(d, crossing.reach()) || crossing.budget().left() == 0) break;
-    // Drivers that turn back may come to the point again: proofs end before they do.
-    const double far = departure.time_at(crossing.reach());
-    const double later = departure.turn_after(time, far < INFINITY ? far : time + (time - start));
-    if (!prove_beyond(m, crossing, group, time, later, point)) continue;
+    if (time == INFINITY) return point;
+    if (departure.has_corner(d, crossing.reach()) || budget.left() == 0) break;
+    // The motion must go on for as long again. Drivers may turn back later, to the same point.
+    const double later = std::min(departure.time_at(crossing.reach()), time + (time - start));
+    if (!prove_beyond(m, crossing, time, later, budget, point)) continue;
     point.time = start + (time - start) / 2;
-    return ended(point);
+    return point;
   }
-  return ended({});
-}
-
-/// Passes a change point with the drivers that `group` depends on. If they lead to no instant
-/// beyond, another group may be singular there, too: then tries with all drivers.
-std::optional<PassedPoint> pass(const Model& m, const CertifiedInstant& last,
-                                std::span<const double> direction, double start, GroupId group,
-                                TestBudget& budget) {
-  const auto by = [&](const Model& smooth, GroupId singular) {
-    return pass(m, smooth, last, direction, start, singular, budget);
-  };
-  std::optional<PassedPoint> point = by(m, group);
-  if (point) return point;
-  const std::optional<Model> smooth = with_tables_continued(m, last.values.position);
-  if (smooth) point = by(*smooth, group);
-  const auto is_of_all = [&] {
-    return DriverLine(m, last.values.position, direction, group).count() == std::ssize(m.drivers);
-  };
-  if (point || group == no_position || is_of_all()) return point;
-  point = by(m, no_position);
-  return point || !smooth ? point : by(*smooth, no_position);
+  return {};
 }
 
 }  // namespace
 
 /// Shifts the line to drivers z in those that are not its own. Leads the two ends of the
 /// polynomials there by proven paths, and joins them anew. Returns whether this is possible.
-bool PassedPoint::move_line_to(std::span<const double> z, StraightPath& path) {
+bool PassedPoint::move_line_to(std::span<const double> z, StraightPath& path, TestBudget& budget) {
   DriverLine to = line;
   for (std::size_t k = 0; k < z.size(); ++k)
     if (!line.counts(k)) to.origin[k] = z[k];
@@ -148,7 +114,7 @@ bool PassedPoint::move_line_to(std::span<const double> z, StraightPath& path) {
     const double s = side ? width : -width;
     std::vector<double> q;
     for (const Quintic<double>& p : polynomials) q.push_back(value_at(p, side ? 1. : -1.));
-    if (!path.lead(line.at(s), to.at(s), q)) return false;
+    if (!path.lead(line.at(s), to.at(s), q, budget)) return false;
     const CertifiedInstant* const end = path.find(to, s, q);
     if (!end) return false;
     ends[side].assign(*end);
@@ -167,31 +133,35 @@ bool PassedPoint::move_line_to(std::span<const double> z, StraightPath& path) {
 std::vector<double> PassedPoint::find_positions(StraightPath& path, double at) {
   const Model& m = path.model();
   const std::vector<double> z = drivers_at(m, at).position;
-  if (!move_line_to(z, path)) return {};
+  TestBudget budget(BranchPath::max_tests);
+  if (!move_line_to(z, path, budget)) return {};
   const double s = line.arc(z) / width, end = std::clamp(s, -1., 1.);
   std::vector<double> q;
   for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, end));
-  if (s != end && !path.lead(line.at(end * width), z, q)) return {};
+  if (s != end && !path.lead(line.at(end * width), z, q, budget)) return {};
   for (std::size_t k = 0; k < z.size(); ++k) q[m.entities[m.drivers[k].coordinate].first] = z[k];
   return q;
 }
 
 std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
-                                             GroupId group) {
-  TestBudget budget(BranchPath::max_tests);
-  return pass_change_point(m, last, group, budget);
-}
-
-std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
                                              GroupId group, TestBudget& budget) {
-  return pass(m, last, drivers_at(m, last.time).velocity, last.time, group, budget);
+  return pass_change_point(m, last, drivers_at(m, last.time).velocity, last.time, group, budget);
 }
 
+/// Passes a change point with the drivers that `group` depends on. If they lead to no instant
+/// beyond, another group may be singular there, too: then tries with all drivers.
 std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
                                              std::span<const double> direction, double start,
-                                             GroupId group) {
-  TestBudget budget(BranchPath::max_tests);
-  return pass(m, last, direction, start, group, budget);
+                                             GroupId group, TestBudget& budget) {
+  const std::optional<Model> smooth = with_tables_continued(m, last.values.position);
+  const auto by = [&](GroupId singular) {
+    auto point = pass(m, m, last, direction, start, singular, budget.half());
+    if (!point && smooth) point = pass(m, *smooth, last, direction, start, singular, budget.half());
+    return point;
+  };
+  const DriverLine line(m, last.values.position, direction, group);
+  auto point = by(group);
+  return point || line.count() == std::ssize(m.drivers) ? point : by(no_position);
 }
 
 }  // namespace desmo

@@ -31,28 +31,25 @@ struct PassedPoint {
   std::vector<double> find_positions(StraightPath& path, double time);
 
  private:
-  bool move_line_to(std::span<const double> drivers, StraightPath& path);
+  bool move_line_to(std::span<const double> drivers, StraightPath& path, TestBudget& budget);
 };
 
 /// Passes the change point on which a motion is stuck (PathEnd::stuck), if there is a smooth
 /// continuation (SingularityCrossing). Then the motion goes on beyond the point or, where its
 /// drivers turn back, on the branch that it came from. Returns nothing at a fold, where branches
-/// are too alike to be told apart, where the path of the drivers has a corner, and where the budget
-/// (BranchPath::max_tests) ends.
+/// are too alike to be told apart, where the path of the drivers has a corner, and where tests run
+/// out.
 /// - last: the last proven instant, where BranchPath::present() is
 /// - group: the singular group (FollowedStep::group); no_position: it is not known
+/// - budget: several passages may share it. Each way in which one is tried takes half of it at most
 ///
 /// If the path was stuck for want of tests, the instant beyond() may still be before the change
 /// point. The motion is then stuck again.
 ///
 ///   const FollowedStep step = path.go_to(time);
 ///   if (step.end == PathEnd::stuck)
-///     if (auto point = pass_change_point(model, path.present(), step.group))
+///     if (auto point = pass_change_point(model, path.present(), step.group, budget))
 ///       path.start_at(point->beyond());   // find_positions() between `after` and `before`
-std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last,
-                                             GroupId group = no_position);
-/// Like the above, with a budget that several passages share. At most half of it goes into each
-/// way in which a passage is tried.
 std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last,
                                              GroupId group, TestBudget& budget);
 
@@ -64,6 +61,6 @@ std::optional<PassedPoint> pass_change_point(const Model& model, const Certified
 ///   instant is proven there
 std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last,
                                              std::span<const double> direction, double start,
-                                             GroupId group = no_position);
+                                             GroupId group, TestBudget& budget);
 
 }  // namespace desmo

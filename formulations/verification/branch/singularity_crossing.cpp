@@ -12,9 +12,12 @@ namespace {
 /// Argument of a polynomial at s = h, where its arguments −1 and 1 are at s = −2h and −h.
 constexpr double extension = 5;
 
-/// Shares of the tests left that a path may take. The path to the farthest node may run on to
-/// infinity, and there are up to 26 of these. Less far is good enough.
-constexpr int half = 2, way_to_farthest = 8;
+/// Arc before the point at which the first node is, if a path leads there. Where it is too far, h
+/// is halved.
+constexpr double way_before = 2;
+
+/// A miss of up to this times its rounding is hidden by it. Above, it is known to a factor of two.
+constexpr double hiding_roundings = 2;
 
 bool may_be_same(const Interval& a, const Interval& b) {
   return std::abs(a.mid - b.mid) <= a.radius + b.radius;
@@ -29,8 +32,8 @@ Interval SingularityCrossing::number(const Node& node, Level level, int coordina
 
 SingularityCrossing::SingularityCrossing(const Model& m, const CertifiedInstant& last,
                                          std::span<const double> direction, GroupId group,
-                                         int max_tests)
-    : budget_(max_tests),
+                                         TestBudget& budget)
+    : budget_(budget),
       magnitudes_(nominal_magnitudes(m)),
       line_(m, last.values.position, direction, group),
       model_(m),
@@ -41,10 +44,9 @@ SingularityCrossing::SingularityCrossing(const Model& m, const CertifiedInstant&
   if (line_.exists()) find_nodes(last);
 }
 
-/// Finds the first node, up to two units of arc before the point. The last instant is so near to
-/// the point that no path leads back from it. So a path starts from a point of its Taylor
-/// polynomial. That is on the same branch if the nodes, extended to s = 0, meet the last instant
-/// (leads_to()).
+/// Finds the first node, at most `way_before` from the point. The last instant is so near to the
+/// point that no path leads back from it. So a path starts from a point of its Taylor polynomial.
+/// That is on the same branch if the nodes, extended to s = 0, meet the last instant (leads_to()).
 void SingularityCrossing::find_nodes(const CertifiedInstant& last) {
   const std::vector<double> zeros(model_.coordinates());
   const std::optional<Node> here = node({0, {last.values.position, zeros, zeros}, {}});
@@ -53,14 +55,13 @@ void SingularityCrossing::find_nodes(const CertifiedInstant& last) {
   // So near to the point rounding may leave not even a sign of second derivatives.
   for (std::size_t i = 0; i < acceleration.size(); ++i)
     if (!(std::abs(acceleration[i]) > here->radius.acceleration[i])) acceleration[i] = 0;
-  for (double s = std::sqrt(Interval::unit); s < 1 && budget_.left() > 0; s *= 2) {
+  for (double s = std::sqrt(Interval::unit); 2 * s < way_before && budget_.left() > 0; s *= 2) {
     for (std::size_t i = 0; i < q.size(); ++i)
       q[i] = here->values.position[i] - s * (here->values.velocity[i] - s / 2 * acceleration[i]);
     budget_.take();
     if (!before_.start_at({-s, {q, {}, {}}, {}})) continue;
-    // The value 2 does not matter: where it is too far, h is halved.
-    before_.go_to(-2, budget_, way_to_farthest);
-    if (before_.present().time > -8 * s) continue;  // has fewer than three halvings
+    before_.go_to(-way_before, budget_);
+    if (before_.present().time > -2 * s) continue;  // the first h would be less than s
     nodes_.clear();
     if (std::optional<Node> farthest = node(before_.present()))
       nodes_.push_back(std::move(*farthest));
@@ -113,7 +114,7 @@ std::optional<SingularityCrossing::Node> SingularityCrossing::node(
 /// Adds nodes before the point until there are `count`. Returns whether all are proven.
 bool SingularityCrossing::reach_nodes(int count) {
   while (static_cast<int>(nodes_.size()) < count) {
-    if (before_.go_to(nodes_.back().s / 2, budget_, half).end != PathEnd::same) return false;
+    if (before_.go_to(nodes_.back().s / 2, budget_).end != PathEnd::same) return false;
     std::optional<Node> next = node(before_.present());
     if (!next) return false;
     nodes_.push_back(std::move(*next));
@@ -140,8 +141,7 @@ SingularityCrossing::Miss SingularityCrossing::miss(int level, const Node& beyon
     const Interval extended = value_at(polynomial(far, near, i), Interval(extension));
     result.amount.push_back(std::abs(extended.mid - beyond.values.position[i]));
     result.rounding.push_back(extended.radius + beyond.radius.position[i]);
-    // Above twice the rounding, a miss is known to a factor of two.
-    result.is_hidden &= result.amount[i] <= 2 * result.rounding[i];
+    result.is_hidden &= result.amount[i] <= hiding_roundings * result.rounding[i];
     result.shows_jumps &= result.rounding[i] < magnitudes_[i] * std::pow(beyond.s, 5);
   }
   return result;
@@ -165,7 +165,7 @@ double SingularityCrossing::measure_fall(int level, std::span<const double> posi
     // At distances of the roundoff u, drivers are rounded to other points of the line: a path might
     // pass the change point unnoticed.
     const bool is_led = distance(k) > Interval::unit && reach_nodes(k + 2) &&
-                        beyond_.go_to(distance(k), budget_, half).end == PathEnd::same;
+                        beyond_.go_to(distance(k), budget_).end == PathEnd::same;
     const std::optional<Node> end = is_led ? node(beyond_.present()) : std::nullopt;
     // Branches that would meet with exact lengths may pass each other closely: their miss grows
     // again towards the point. The miss of another branch that does meet falls all the way.
@@ -183,7 +183,7 @@ double SingularityCrossing::measure_fall(int level, std::span<const double> posi
     // only if a jump would be seen.
     if (now.is_hidden && k == level && !(level == 0 && now.shows_jumps)) return 0;
     const double coarse = k > level ? last.over(now.rounding) : 0;
-    const double fine = std::max(now.over(now.rounding), 2.0);
+    const double fine = std::max(now.over(now.rounding), hiding_roundings);
     if (k > level && coarse / fine < min_fall && !(now.is_hidden && k > level + 1)) {
       if (k == level + 1) return coarse / fine;
       falls = false;
@@ -212,14 +212,13 @@ bool SingularityCrossing::find() {
   if (nodes_.empty()) return false;
   // At smaller h, rounding hides even jumps of the first derivative.
   for (int level = 0; distance(level) > std::sqrt(Interval::unit); ++level) {
-    if (budget_.left() == 0) return false;
-    if (!reach_nodes(level + 2)) return false;
+    if (budget_.left() == 0 || !reach_nodes(level + 2)) return false;
     const Node &far = nodes_[level], &near = nodes_[level + 1];
     std::vector<double> beyond;
     for (int i = 0; i < model_.coordinates(); ++i)
       beyond.push_back(value_at(polynomial(far, near, i), Interval(extension)).mid);
     if (measure_fall(level, beyond) < min_fall) continue;
-    beyond_.go_to(0, budget_, half);
+    beyond_.go_to(0, budget_);
     nearest_ = beyond_.present().time;
     return true;
   }
@@ -231,7 +230,7 @@ const CertifiedInstant* SingularityCrossing::go_to(double s) {
   // Starts at a distance and goes towards the point: right next to it no path leads away.
   budget_.take();
   if (!path.start_at({std::copysign(reach_, s), {about_[s > 0], {}, {}}, {}})) return nullptr;
-  return path.go_to(s, budget_, half).end == PathEnd::same ? &path.present() : nullptr;
+  return path.go_to(s, budget_).end == PathEnd::same ? &path.present() : nullptr;
 }
 
 }  // namespace desmo

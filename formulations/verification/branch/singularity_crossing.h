@@ -35,10 +35,9 @@ class SingularityCrossing {
   /// - last: a proven instant just before the point; s is 0 there
   /// - direction: rates of the drivers, of any length
   /// - group: the group that is singular on the point (see DriverLine)
-  /// - max_tests: maximum number of tests of all calls
+  /// - budget: of the tests of all calls, which callers may share. It must outlive this object
   SingularityCrossing(const Model& model, const CertifiedInstant& last,
-                      std::span<const double> direction, GroupId group = no_position,
-                      int max_tests = BranchPath::max_tests);
+                      std::span<const double> direction, GroupId group, TestBudget& budget);
   SingularityCrossing(const SingularityCrossing&) = delete;
   SingularityCrossing& operator=(const SingularityCrossing&) = delete;
 
@@ -58,8 +57,6 @@ class SingularityCrossing {
   double distance(int level) const;
 
   const DriverLine& line() const { return line_; }
-  /// Returns the tests that are left. Paths of the caller may share them.
-  TestBudget& budget() { return budget_; }
   /// Returns the smallest s > 0 at which the continuation beyond the point is proven.
   double nearest() const { return nearest_; }
   /// Returns the distance from s = 0 up to which both sides are proven.
@@ -83,7 +80,7 @@ class SingularityCrossing {
   /// Distance by which an extended quintic misses an instant beyond.
   struct Miss {
     std::vector<double> amount, rounding;  ///< of each coordinate
-    bool is_hidden = true;                 ///< amount ≤ 2 × rounding of each coordinate
+    bool is_hidden = true;                 ///< by rounding, in each coordinate
     /// A jump of a fifth derivative as large as the coordinate's magnitude would be seen: rounding
     /// < magnitude × s⁵ of each coordinate.
     bool shows_jumps = true;
@@ -101,7 +98,7 @@ class SingularityCrossing {
   bool reach_nodes(int count);
   Quintic<Interval> polynomial(const Node& a, const Node& b, int coordinate) const;
 
-  TestBudget budget_;
+  TestBudget& budget_;
   std::vector<double> magnitudes_;  // of coordinates
   DriverLine line_;
   Model model_;  // with drivers that go along the line

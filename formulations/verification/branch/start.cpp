@@ -41,7 +41,9 @@ Polynomial straight(double from, const Motion& motion, double time, double left_
 void pass_at_start(const Model& m, const Model& going, double time, FoundStart& found) {
   std::vector<double> direction;
   for (const Driver& d : going.drivers) direction.push_back(sample(d.motion, found.share).velocity);
-  if (auto point = pass_change_point(m, {0, {found.q, {}, {}}, {}}, direction, time, found.group))
+  TestBudget budget(BranchPath::max_tests);
+  if (auto point =
+          pass_change_point(m, {0, {found.q, {}, {}}, {}}, direction, time, found.group, budget))
     found.point = std::make_shared<PassedPoint>(std::move(*point));
 }
 
@@ -144,14 +146,14 @@ std::optional<Turns> turns_that_lead_back(const Model& m, double time, const Fou
     most = std::max(most, std::abs(turns));
   }
   if (!(most > 0 && most < INFINITY)) return {};
-  if (are_equal)
-    return add_turns(m, signs, most, nominal, all.of_coordinates) ? std::optional(all)
-                                                                  : std::nullopt;
   for (std::size_t d = 0; d < signs.size(); ++d) {
+    if (signs[d] == 0) continue;
     std::vector<double> own(signs.size());
     own[d] = signs[d];
-    if (own[d] != 0 && !add_turns(m, own, std::abs(all.of_drivers[d]), nominal, all.of_coordinates))
+    if (!add_turns(m, are_equal ? signs : own, std::abs(all.of_drivers[d]), nominal,
+                   all.of_coordinates))
       return {};
+    if (are_equal) break;
   }
   return all;
 }

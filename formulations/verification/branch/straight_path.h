@@ -20,10 +20,9 @@ class StraightPath {
 
   const Model& model() const { return m_; }
 
-  /// Leads positions q (coordinates) from driver values `from` to `to` (drivers). Returns whether
-  /// all the way is proven; if not, q does not change.
-  bool lead(std::span<const double> from, std::span<const double> to, std::vector<double>& q);
-  /// Like the above, with at most half of a budget that other paths share.
+  /// Leads positions q (coordinates) from driver values `from` to `to` (drivers), with half of a
+  /// budget that other paths share. Returns whether all the way is proven; if not, q does not
+  /// change.
   bool lead(std::span<const double> from, std::span<const double> to, std::vector<double>& q,
             TestBudget& budget);
 

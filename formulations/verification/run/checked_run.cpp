@@ -56,17 +56,15 @@ class CheckedRun final : Observer {
       wait(instant);
       return Flow::go_on;
     }
-    if (waiting_.empty()) return hand_on(motion_.check(instant));
     const CheckedInstant& end = motion_.check(instant);
     const auto is_on_step = [&](const Instant& i) { return motion_.is_on_step(i); };
-    if (end.flag || end.is_elsewhere || !std::ranges::all_of(waiting_, is_on_step)) {
-      // Something is wrong with the long step: checks its rows one by one.
-      motion_.return_to_last();
-      const Flow flow = hand_on_waiting(true);
-      return flow == Flow::stop ? flow : hand_on(motion_.check(instant));
-    }
-    const Flow flow = hand_on_waiting(false);
-    return flow == Flow::stop ? flow : hand_on(end);
+    const bool are_proven = waiting_.empty() || (!end.flag && !end.is_elsewhere &&
+                                                 std::ranges::all_of(waiting_, is_on_step));
+    // If something is wrong with the long step, its rows are checked one by one.
+    if (!are_proven) motion_.return_to_last();
+    const Flow flow = hand_on_waiting(!are_proven);
+    if (flow == Flow::stop) return flow;
+    return hand_on(are_proven ? end : motion_.check(instant));
   }
 
   /// Returns whether an instant is not checked itself, but must lie on the step between two others.
@@ -196,8 +194,7 @@ class CheckedRun final : Observer {
       const std::vector<double> q = motion_.followed_to();  // empty: one rests on a change point
       return !q.empty() && stepping_of(formulation_).start_at(q, grid_.time(index));
     };
-    const auto [gap, again] =
-        find_gap(formulation_, grid_, tried_, summary_, options_.levels, leads_to);
+    const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_, leads_to);
     summary_.gaps.push_back(gap);
     withdraw_failure();
     tried_ = again;

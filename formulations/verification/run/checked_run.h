@@ -53,6 +53,13 @@ struct RowFlag {
   bool is_of_change_point() const { return kind == Kind::crossing || kind == Kind::on_point; }
 };
 
+/// Replaces a flag by another one if that is worse. The misfit stays.
+inline void worsen(std::optional<RowFlag>& flag, RowFlag to) {
+  if (flag && flag->kind <= to.kind) return;
+  if (flag) to.misfit = flag->misfit;
+  flag = to;
+}
+
 /// Returns the word for a flag in tables: "unproven", "branch", "misfit" or "crossing".
 std::string_view word_of(const RowFlag& flag);
 

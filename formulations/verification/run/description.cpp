@@ -59,10 +59,10 @@ std::string describe(const CheckedSummary& s, const Model& m) {
 std::string describe(const LiveSummary& s, const Model& m) {
   switch (s.fault) {
     case RowFault::none:
-      return s.is_unreached()
-                 ? describe(Summary{s}, m) +
-                       formatted("; the motion to it is not proven beyond t = %.9g s", s.path.time)
-                 : describe(Summary{s}, m);
+      return describe(Summary{s}, m) +
+             (s.is_unreached()
+                  ? formatted("; the motion to it is not proven beyond t = %.9g s", s.path.time)
+                  : "");
     case RowFault::wrong_size:
       return "refused: there is not one value for each driver";
     case RowFault::not_finite:

@@ -1,7 +1,6 @@
 #include "formulations/verification/run/gap_search.h"
 
 #include <cmath>
-#include <utility>
 
 #include "formulations/motion/internals.h"
 #include "formulations/variants.h"
@@ -35,25 +34,25 @@ std::optional<Misfit> assembly_error_at(const Formulation& formulation, double t
   return find_assembly_error(m, std::move(state));
 }
 
-FoundGap find_gap(Formulation& formulation, const TimeGrid& grid, int failed,
-                  const CheckedSummary& failure, std::span<const Level> levels,
-                  const std::function<bool(int)>& solves) {
+std::pair<Gap, int> find_gap(Formulation& formulation, const TimeGrid& grid, int failed,
+                             const CheckedSummary& failure,
+                             const std::function<bool(int)>& solves) {
   const double end = grid.time(grid.instants - 1);
   Gap gap{failure.time, end, false, Summary{failure}, failure.assembly_error, failure.table_lock};
   // A coarse tolerance accepts positions beyond a lock, so that the ends need one of their own.
   const std::unique_ptr<Formulation> exact =
       make_formulation(find_variant("group_automatic_lapack"), formulation.model());
-  if (!levels.empty()) exact->solve_only(levels);
   const auto follows = [&](int index) {
     return stepping_of(*exact).start_at(formulation.q(), grid.time(index));
   };
   int last = failed - 1;
   if (last >= 0 && !follows(last))
-    while (last >= 0 && !exact->assemble(grid.time(last)).ok()) --last;
+    while (last >= 0 && !exact->assemble(grid.time(last), Level::position).ok()) --last;
   if (last >= 0) gap.from = last_solved(*exact, grid.time(last), gap.from);
   int next = failed + 1;
   const auto assembled = [&] {
-    return exact->assemble(grid.time(next)).ok() && formulation.assemble(grid.time(next)).ok();
+    return exact->assemble(grid.time(next), Level::position).ok() &&
+           formulation.assemble(grid.time(next)).ok();
   };
   bool is_led = false;
   while (next < grid.instants && !(is_led = solves(next)) && !assembled()) ++next;

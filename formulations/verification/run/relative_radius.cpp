@@ -1,20 +1,22 @@
 #include "formulations/verification/run/relative_radius.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace desmo {
 
-namespace {
-
-/// The largest radius of one kind at a level.
-struct Largest {
-  double squares = 0;  // of the components
-  GroupId group = no_position;
-};
-
-}  // namespace
+std::array<LargestNorm, 2> largest_norms(const Model& m, std::span<const double> values) {
+  std::array<LargestNorm, 2> result;  // norms are squared until the end
+  for (const Entity& e : m.entities) {
+    if (e.fixed) continue;
+    double squares = 0;
+    for (int i = e.first; i < e.first + e.size; ++i) squares += values[i] * values[i];
+    LargestNorm& largest = result[is_length(e.kind)];
+    if (squares > largest.norm && squares < INFINITY) largest = {squares, e.group};
+  }
+  for (auto& [norm, group] : result) norm = std::sqrt(norm);
+  return result;
+}
 
 RelativeRadius relative_radius(const Model& m, const PerLevel<std::span<const double>>& radius,
                                const Scales& scales) {
@@ -22,19 +24,11 @@ RelativeRadius relative_radius(const Model& m, const PerLevel<std::span<const do
   RelativeRadius result;
   for (const Level level : all_levels) {
     if (radius[level].empty()) continue;
-    const double* const r = radius[level].data();
-    std::array<Largest, 2> rotation_and_length;
-    for (const Entity& e : m.entities) {
-      if (e.fixed) continue;
-      double squares = 0;
-      for (int i = e.first; i < e.first + e.size; ++i) squares += r[i] * r[i];
-      Largest& largest = rotation_and_length[is_length(e.kind)];
-      // Infinite: unproven, or of a level that is not solved.
-      if (squares > largest.squares && squares < INFINITY) largest = {squares, e.group};
-    }
+    // Infinite radii are unproven, or of a level that is not solved.
+    const std::array<LargestNorm, 2> norms = largest_norms(m, radius[level]);
     for (const bool lengths : {false, true}) {
-      const auto& [squares, group] = rotation_and_length[lengths];
-      const double own = std::sqrt(squares) * above;
+      const auto& [norm, group] = norms[lengths];
+      const double own = norm * above;
       (lengths ? result.length : result.rotation)[level] = own;
       const double scale = (lengths ? scales.length : scales.rotation)[level];
       if (scale == 0) continue;  // nothing has moved so far

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "formulations/base/per_level.h"
@@ -7,6 +8,16 @@
 #include "formulations/model/scales.h"
 
 namespace desmo {
+
+/// The largest norm of some entities, and the group of the one that has it.
+struct LargestNorm {
+  double norm = 0;
+  GroupId group = no_position;
+};
+
+/// Returns the largest norms of values (coordinates) of entities that move: of directions and
+/// angles, then of points and distances. Leaves out those that are not finite.
+std::array<LargestNorm, 2> largest_norms(const Model& model, std::span<const double> values);
 
 /// Largest radii of an instant, over scales and in their own units.
 struct RelativeRadius {

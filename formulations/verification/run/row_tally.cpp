@@ -26,12 +26,8 @@ void RowTally::take_radius(CheckedInstant& row) {
   const RelativeRadius radius = relative_radius(m_, row.radius, scales_.current());
   row.relative_radius = radius.largest;
   if (radius.proves_no_digit()) {
-    const std::optional<Misfit> misfit = row.flag ? row.flag->misfit : std::nullopt;
-    row.flag = {.kind = RowFlag::Kind::unproven,
-                .time = row.instant.time,
-                .group = radius.group,
-                .failure = ProofFailure::singular,
-                .misfit = misfit};
+    worsen(row.flag,
+           {.time = row.instant.time, .group = radius.group, .failure = ProofFailure::singular});
     return;
   }
   for (const Level level : all_levels) {

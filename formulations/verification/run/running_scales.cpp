@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/verification/run/relative_radius.h"
+
 namespace desmo {
 
 namespace {
@@ -14,9 +16,7 @@ constexpr double min_scale = 0.01;
 
 }  // namespace
 
-RunningScales::RunningScales(const Model& m, const TimeGrid& grid) {
-  for (const Entity& e : m.entities)
-    if (!e.fixed) moving_.push_back({e.first, e.size, is_length(e.kind)});
+RunningScales::RunningScales(const Model& m, const TimeGrid& grid) : m_(m) {
   const double size = nominal_size(m);
   PerLevel<double> length, rotation;  // largest rates of drivers
   for (const Driver& d : m.drivers)
@@ -35,17 +35,13 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid) {
 }
 
 void RunningScales::take(const Instant& instant) {
-  const auto grow = [&](std::span<const double> values, double& length, double& rotation) {
-    if (values.empty()) return;
-    for (const auto& [first, size, is_length] : moving_) {
-      double squares = 0;
-      for (int i = first; i < first + size; ++i) squares += values[i] * values[i];
-      double& largest = is_length ? length : rotation;
-      if (squares > largest * largest) largest = std::sqrt(squares);
-    }
-  };
-  grow(instant.qd, seen_.length.velocity, seen_.rotation.velocity);
-  grow(instant.qdd, seen_.length.acceleration, seen_.rotation.acceleration);
+  const PerLevel<std::span<const double>> values{instant.q, instant.qd, instant.qdd};
+  for (const Level level : rate_levels) {
+    if (values[level].empty()) continue;
+    const auto [rotation, length] = largest_norms(m_, values[level]);
+    seen_.rotation[level] = std::max(seen_.rotation[level], rotation.norm);
+    seen_.length[level] = std::max(seen_.length[level], length.norm);
+  }
 }
 
 Scales RunningScales::current() const {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "cases/mechanism/motion.h"
 #include "formulations/base/observer.h"
 #include "formulations/model/model.h"
@@ -14,6 +12,7 @@ namespace desmo {
 /// raise them.
 class RunningScales {
  public:
+  /// The model must outlive this object.
   RunningScales(const Model& model, const TimeGrid& grid);
 
   /// Includes an instant.
@@ -21,11 +20,7 @@ class RunningScales {
   Scales current() const;
 
  private:
-  struct Moving {
-    int first, size;  // coordinates
-    bool is_length;
-  };
-  std::vector<Moving> moving_;
+  const Model& m_;
   Scales seen_;
 };
 
