@@ -129,6 +129,20 @@ TEST(CheckedRun, ProvesSamplesAndThePathBetweenThem) {
   for (const CheckedRow& row : r.rows) EXPECT_FALSE(row.radius.position.empty()) << row.time;
 }
 
+/// The rows since the last sample are handed on after the run has failed at a later one.
+TEST(CheckedRun, StopsAtARowBetweenSamplesBeforeAFailure) {
+  const auto f = make_formulation(find_variant(ids[0]), locking_four_bar());
+  const TimeGrid grid{0, 0.1, 20};  // the dead point is between its rows 9 and 10
+  RowCount all, stopping(9);
+  const CheckOptions options{.mode = CheckMode::sample, .sample = 4};
+  ASSERT_EQ(run_checked(*f, grid, {Level::position}, all, options).outcome(), Outcome::failed);
+  EXPECT_EQ(all.indices.size(), 10u);
+  const CheckedSummary s = run_checked(*f, grid, {Level::position}, stopping, options);
+  EXPECT_TRUE(s.stopped);
+  EXPECT_EQ(s.outcome(), Outcome::converged) << describe(s, f->model());
+  EXPECT_EQ(stopping.indices.size(), 10u);
+}
+
 /// A crank that swings up to its dead point but for a little, and back.
 Model swinging(double distance) {
   constexpr double amplitude = 0.5;

@@ -40,8 +40,7 @@ class CheckedRun final : Observer {
     motion_.begin(grid_.time(0));
     const Summary ran = formulation_.run(grid_, request_, *this);
     summary_.iterations = ran.iterations;
-    const bool has_failed = !ran.stopped && !ran.ok();
-    if (has_failed) hand_on_waiting(true);
+    const bool has_failed = !ran.stopped && !ran.ok() && hand_on_waiting(true) == Flow::go_on;
     summary_.start = motion_.start();
     if (elsewhere_ || (has_failed && solve_after(ran))) go_on(From::last);
     for (explain_failure(); !summary_.ok() && options_.past_failures; explain_failure())
@@ -170,7 +169,7 @@ class CheckedRun final : Observer {
         Instant solved = row(index);
         solved.updates = s.updates, solved.residual = s.residual;
         observe(solved);
-      } else if (hand_on_waiting(true); !elsewhere_) {
+      } else if (hand_on_waiting(true) == Flow::go_on) {
         take_failure(s);
         if (!solve_by_path(index)) return;
       }
