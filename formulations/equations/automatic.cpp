@@ -20,6 +20,14 @@ class AutomaticEquations::Loops {
   virtual void jacobian(const double* state, double* values) const = 0;
   virtual void quadratic(const double* state, const double* rate, double* gamma) const = 0;
 
+  /// A constraint some or all of whose equations belong to the part.
+  struct Added {
+    std::array<int, max_operands> operands;  // first component of each in the state
+    std::vector<double> constants;
+    std::array<int, max_entries> slots;  // position of each entry in the list of all
+    std::array<int, max_rows> rows;      // row in the part; -1: belongs to another part
+  };
+  virtual void add(const Added& constraint) = 0;
   /// Replaces slots, positions in the list of all entries, by positions in the pattern.
   virtual void set_slots(std::span<const int> slots) = 0;
 };
@@ -55,6 +63,18 @@ struct ObjectsOf : AutomaticEquations::Loops {
     std::array<int, Kind::entries> slots;
     std::array<int, Kind::rows> rows;  // row in the part; -1: belongs to another part
   };
+
+  void add(const AutomaticEquations::Loops::Added& constraint) final {
+    const auto copy = [](const auto& from, auto& to) {
+      std::copy_n(from.begin(), to.size(), to.begin());
+    };
+    Object& o = objects.emplace_back();
+    copy(constraint.operands, o.operands);
+    if constexpr (has_table<Kind>) o.constants.resize(constraint.constants.size());
+    copy(constraint.constants, o.constants);
+    copy(constraint.slots, o.slots);
+    copy(constraint.rows, o.rows);
+  }
 
   void set_slots(std::span<const int> slots) final {
     for (Object& o : objects)
@@ -108,6 +128,17 @@ struct LoopsOf final : ObjectsOf<Kind> {
   }
 };
 
+std::unique_ptr<AutomaticEquations::Loops> make_loops(int kind, bool is_whole) {
+  std::unique_ptr<AutomaticEquations::Loops> result;
+  visit_kind(kind, [&]<class Kind>(Kind) {
+    if (Kind::rows == 1 || is_whole)
+      result = std::make_unique<LoopsOf<Kind, true>>();
+    else if constexpr (Kind::rows > 1)
+      result = std::make_unique<LoopsOf<Kind, false>>();
+  });
+  return result;
+}
+
 }  // namespace
 
 AutomaticEquations::AutomaticEquations(const Model& m, const PartDefinition& part) {
@@ -117,35 +148,24 @@ AutomaticEquations::AutomaticEquations(const Model& m, const PartDefinition& par
   for (int row = 0; row < n;) {
     const int position = part.equations[row].constraint;
     const Constraint& constraint = m.constraints[position];
-    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      typename ObjectsOf<Kind>::Object o;
-      for (std::size_t k = 0; k < o.operands.size(); ++k)
-        o.operands[k] = m.state_index(constraint.operands[k]);
-      if constexpr (has_table<Kind>) o.constants.resize(constraint.constants.size());
-      std::ranges::transform(constraint.constants, o.constants.begin(), &Derived::value);
-      o.rows.fill(-1);
-      const int first = row;
-      for (; row < n && part.equations[row].constraint == position; ++row)
-        o.rows[part.equations[row].row] = row;
-
-      int i = 0;
-      // The pattern does not depend on the values.
-      static constexpr std::array<double, max_components> any{1, 1, 1, 1};
-      Operands<Kind> x;
-      x.fill(any.data());
-      Kind::jacobian(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
-                     [&](int r, int operand, int component, double) {
-                       o.slots[i++] =
-                           static_cast<int>(entries.size());  // position in `entries`, for now
-                       entries.push_back({o.rows[r], o.operands[operand] + component,
-                                          m.is_at_rest(constraint.operands[operand])});
-                     });
-      const bool is_whole = row - first == Kind::rows;
-      std::unique_ptr<Loops>& loops = (is_whole ? whole : cut)[constraint.kind];
-      if (!loops && is_whole) loops = std::make_unique<LoopsOf<Kind, true>>();
-      if (!loops) loops = std::make_unique<LoopsOf<Kind, false>>();
-      static_cast<ObjectsOf<Kind>&>(*loops).objects.push_back(std::move(o));
-    });
+    Loops::Added added;
+    added.rows.fill(-1);
+    for (std::size_t k = 0; k < constraint.operands.size(); ++k)
+      added.operands[k] = m.state_index(constraint.operands[k]);
+    for (const Derived& c : constraint.constants) added.constants.push_back(c.value);
+    const int first = row;
+    for (; row < n && part.equations[row].constraint == position; ++row)
+      added.rows[part.equations[row].row] = row;
+    int slot = 0;
+    for (const auto& [r, operand, component] : description_of(constraint.kind).entries) {
+      added.slots[slot++] = static_cast<int>(entries.size());
+      entries.push_back({added.rows[r], added.operands[operand] + component,
+                         m.is_at_rest(constraint.operands[operand])});
+    }
+    const bool is_whole = row - first == rows(constraint);
+    std::unique_ptr<Loops>& loops = (is_whole ? whole : cut)[constraint.kind];
+    if (!loops) loops = make_loops(constraint.kind, is_whole);
+    loops->add(added);
   }
 
   PatternWithSlots made = make_pattern(m, part, entries);
