@@ -39,7 +39,7 @@ struct Options {
 };
 
 /// Runs a side's desmo_probe with some arguments. Returns what it writes to standard output.
-std::string asked(const Side& side, std::vector<std::string> question) {
+std::string answer_of(const Side& side, std::vector<std::string> question) {
   std::string answer;
   const int code = bench::Child(side.probe(std::move(question))).finish(answer);
   if (code != 0)
@@ -50,7 +50,7 @@ std::string asked(const Side& side, std::vector<std::string> question) {
 
 /// Returns the names of the candidates that bench/check measures, as head's desmo_probe lists them.
 Names all_names(const Side& head) {
-  std::istringstream answer(asked(head, {"names"}));
+  std::istringstream answer(answer_of(head, {"names"}));
   return {std::istream_iterator<std::string>(answer), {}};
 }
 
@@ -98,7 +98,7 @@ Json verified(const std::vector<Side>& sides, const Names& names) {
   question.insert(question.end(), names.begin(), names.end());
   Json records;
   for (const Side& side : sides) {
-    records[side.name] = Json::parse(asked(side, question));
+    records[side.name] = Json::parse(answer_of(side, question));
     bring_up_to_date(records[side.name]);
   }
   return records;
@@ -106,11 +106,11 @@ Json verified(const std::vector<Side>& sides, const Names& names) {
 
 /// Returns the names of the candidates that are right on all sides. A candidate that is wrong on
 /// one side is never measured, and one that a side lacks cannot be compared.
-Names sound(Names sound, const Json& check, const std::vector<Side>& sides) {
+Names right_on_all_sides(Names candidates, const Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
     for (const Json& candidate : check[side.name]["paper"]["candidates"])
-      if (candidate["status"] != "ok") std::erase(sound, name_of(candidate));
-  return sound;
+      if (candidate["status"] != "ok") std::erase(candidates, name_of(candidate));
+  return candidates;
 }
 
 /// Adds the samples of a pass: those of the first pass to the sides' records, those of the second
@@ -171,7 +171,7 @@ void measure(const Options& o) {
                        {"repetitions", TimingSettings::repetitions}};
   if (!o.slow.empty()) check["settings"]["slowed"] = o.slow;
   check.update(verified(sides, chosen));
-  const Names names = sound(chosen, check, sides);
+  const Names names = right_on_all_sides(chosen, check, sides);
   if (o.work) check["work"] = counted_work(names, sides);
   if (o.time) add_times(check, "first", time_rounds(sides, names, TimingSettings::rounds, o.seed));
   mark_untimed(check, sides);

@@ -30,9 +30,9 @@ class CheckedRun final : Observer {
         tally_(formulation.model(), grid),
         output_(request, formulation.model().coordinates()),
         next_(observer),
-        memory_(options.mode == CheckMode::sample ? std::min(options.sample - 1, grid.instants) : 0,
+        copies_(options.mode == CheckMode::sample ? std::min(options.sample - 1, grid.instants) : 0,
                 InstantCopy(formulation.model().coordinates())) {
-    waiting_.reserve(memory_.size());
+    unchecked_.reserve(copies_.size());
     summary_.level = request.level;
   }
 
@@ -40,9 +40,9 @@ class CheckedRun final : Observer {
     motion_.begin(grid_.time(0));
     const Summary ran = formulation_.run(grid_, request_, *this);
     summary_.iterations = ran.iterations;
-    const bool has_failed = !ran.stopped && !ran.ok() && hand_on_waiting(true) == Flow::go_on;
+    const bool has_failed = !ran.stopped && !ran.ok() && hand_on_unchecked(true) == Flow::go_on;
     summary_.start = motion_.start();
-    if (elsewhere_ || (has_failed && solve_after(ran))) go_on(From::last);
+    if (is_off_last_row_ || (has_failed && solve_after(ran))) go_on(From::last);
     for (explain_failure(); !summary_.ok() && options_.past_failures; explain_failure())
       if (pass_gap()) go_on(From::estimate);
     tally_.finish(summary_);
@@ -51,48 +51,48 @@ class CheckedRun final : Observer {
 
  private:
   Flow observe(const Instant& instant) noexcept override {
-    if (waits(instant.index)) {
-      wait(instant);
+    if (is_between_samples(instant.index)) {
+      keep(instant);
       return Flow::go_on;
     }
     const CheckedInstant& end = motion_.check(instant);
     const auto is_on_step = [&](const Instant& i) { return motion_.is_on_step(i); };
-    const bool are_proven = waiting_.empty() || (!end.flag && !end.is_elsewhere &&
-                                                 std::ranges::all_of(waiting_, is_on_step));
+    const bool are_proven = unchecked_.empty() || (!end.flag && !end.is_elsewhere &&
+                                                   std::ranges::all_of(unchecked_, is_on_step));
     // If something is wrong with the long step, its rows are checked one by one.
     if (!are_proven) motion_.return_to_last();
-    const Flow flow = hand_on_waiting(!are_proven);
+    const Flow flow = hand_on_unchecked(!are_proven);
     if (flow == Flow::stop) return flow;
     return hand_on(are_proven ? end : motion_.check(instant));
   }
 
   /// Returns whether an instant is not checked itself, but must lie on the step between two others.
-  bool waits(int index) const {
+  bool is_between_samples(int index) const {
     return options_.mode == CheckMode::sample && index % options_.sample != 0 &&
            index + 1 < grid_.instants;
   }
 
   /// Keeps a copy of an instant until a later one is checked.
-  void wait(const Instant& instant) {
-    InstantCopy& copy = memory_[waiting_.size()];
+  void keep(const Instant& instant) {
+    InstantCopy& copy = copies_[unchecked_.size()];
     copy.assign({.values = {instant.q, instant.qd, instant.qdd}});
-    waiting_.push_back(with_values(instant, copy.view().values));
+    unchecked_.push_back(with_values(instant, copy.view().values));
   }
 
-  /// Hands on the rows that wait, checked one by one or as they are.
-  Flow hand_on_waiting(bool are_checked) {
+  /// Hands on the unchecked rows: checked one by one now, or as they are.
+  Flow hand_on_unchecked(bool are_checked) {
     Flow flow = Flow::go_on;
-    for (const Instant& i : waiting_)
+    for (const Instant& i : unchecked_)
       if (flow == Flow::go_on)
         flow = hand_on(are_checked ? motion_.check(i) : CheckedInstant{.instant = i});
-    waiting_.clear();
+    unchecked_.clear();
     return flow;
   }
 
   /// Counts a row and hands it on, unless a strict run refuses it. Returns Flow::stop if it does,
   /// if the observer stops, or if the formulation must restart from the row.
   Flow hand_on(CheckedInstant row) {
-    elsewhere_ = row.is_elsewhere;
+    is_off_last_row_ = row.is_elsewhere;
     summary_.time = row.instant.time;
     tally_.take(row, summary_);
     summary_.refused = options_.strict && row.flag;
@@ -101,12 +101,12 @@ class CheckedRun final : Observer {
     summary_.updates += row.instant.updates;
     summary_.residual = std::max(summary_.residual, row.instant.residual);
     if (options_.checked) options_.checked(row);
-    if (elsewhere_) last_.assign(row.instant.q.begin(), row.instant.q.end());
+    if (is_off_last_row_) last_.assign(row.instant.q.begin(), row.instant.q.end());
     const Flow flow = output_.hand_over(row.instant, next_);
     ++summary_.instants;
-    tried_ = row.instant.index + 1;
+    next_index_ = row.instant.index + 1;
     summary_.stopped = flow == Flow::stop;
-    return elsewhere_ ? Flow::stop : flow;
+    return is_off_last_row_ ? Flow::stop : flow;
   }
 
   void take_failure(const Summary& failed) {
@@ -114,7 +114,7 @@ class CheckedRun final : Observer {
     summary_.group = failed.group;
     summary_.constraint = failed.constraint;
     max_residual_ = std::exchange(summary_.residual, failed.residual);
-    summary_.time = grid_.time(tried_);
+    summary_.time = grid_.time(next_index_);
   }
   void withdraw_failure() {
     summary_.status = Status::solved;
@@ -147,7 +147,7 @@ class CheckedRun final : Observer {
   /// are to go on.
   bool solve_after(const Summary& failed) {
     take_failure(failed);
-    if (solve_by_path(tried_)) return true;
+    if (solve_by_path(next_index_)) return true;
     if (failed.time == summary_.time) return false;
     withdraw_failure();
     return true;
@@ -156,9 +156,9 @@ class CheckedRun final : Observer {
   /// Solves all remaining rows by steps, none by interpolation: the motion was hard to follow.
   /// - from: what the first row starts from, the estimate (assembly) or the last row (a step)
   void go_on(From from) {
-    const auto next = [&] { return tried_ + static_cast<int>(waiting_.size()); };
+    const auto next = [&] { return next_index_ + static_cast<int>(unchecked_.size()); };
     while (next() < grid_.instants && summary_.ok() && !summary_.refused && !summary_.stopped) {
-      if (std::exchange(elsewhere_, false))
+      if (std::exchange(is_off_last_row_, false))
         stepping_of(formulation_).start_at(last_, summary_.time);  // where the last row is
       const int index = next();
       const bool is_step = std::exchange(from, From::last) == From::last;
@@ -169,7 +169,7 @@ class CheckedRun final : Observer {
         Instant solved = row(index);
         solved.updates = s.updates, solved.residual = s.residual;
         observe(solved);
-      } else if (hand_on_waiting(true) == Flow::go_on) {
+      } else if (hand_on_unchecked(true) == Flow::go_on) {
         take_failure(s);
         if (!solve_by_path(index)) return;
       }
@@ -193,10 +193,10 @@ class CheckedRun final : Observer {
       const std::vector<double> q = motion_.followed_to();  // empty: one rests on a change point
       return !q.empty() && stepping_of(formulation_).start_at(q, grid_.time(index));
     };
-    const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_, leads_to);
+    const auto [gap, again] = find_gap(formulation_, grid_, next_index_, summary_, leads_to);
     summary_.gaps.push_back(gap);
     withdraw_failure();
-    tried_ = again;
+    next_index_ = again;
     if (again == grid_.instants) return false;
     motion_.begin_again(grid_.time(again));
     return true;
@@ -210,13 +210,13 @@ class CheckedRun final : Observer {
   RowTally tally_;
   const OutputWriter output_;
   Observer& next_;
-  std::vector<InstantCopy> memory_;  // of the rows that wait
-  std::vector<Instant> waiting_;     // CheckMode::sample: rows since the last one that was checked
+  std::vector<InstantCopy> copies_;  // of the unchecked rows
+  std::vector<Instant> unchecked_;   // CheckMode::sample: rows since the last one that was checked
   CheckedSummary summary_;
-  double max_residual_ = 0;   // of the rows, kept while summary_.residual is that of a failure
-  int tried_ = 0;             // index of the next row: all before are handed on or left out
-  bool elsewhere_ = false;    // the formulation is not where the last row is
-  std::vector<double> last_;  // positions of that row
+  double max_residual_ = 0;       // of the rows, kept while summary_.residual is that of a failure
+  int next_index_ = 0;            // index of the next row: all before are handed on or left out
+  bool is_off_last_row_ = false;  // the formulation is not where the last row is
+  std::vector<double> last_;      // positions of that row
 };
 
 }  // namespace
