@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "cases/numbers/interval.h"
@@ -12,80 +13,111 @@ namespace desmo {
 
 namespace {
 
+constexpr int lane_count = LaneNumbers::count;
+
+/// Returns the number of registers that n doubles take.
+int registers(int n) { return (n + lane_count - 1) / lane_count; }
+
+// An entry S of a row is a register, one number for each lane, or a double in all lanes.
+template <class S>
+S entry(const double* row, int k) {
+  if constexpr (std::is_same_v<S, double>)
+    return row[k];
+  else
+    return LaneNumbers::load(row + lane_count * k);
+}
+void set_entry(double* row, int k, double x) { row[k] = x; }
+void set_entry(double* row, int k, const LaneNumbers& x) { x.store(row + lane_count * k); }
+bool is_none(double x) { return x == 0; }
+bool is_none(const LaneNumbers& x) { return !(!is_zero(x)).any(); }
+
 /// Returns the smallest number in the given lanes.
+double smallest(double x, LaneMask) { return x; }
 double smallest(const LaneNumbers& x, LaneMask lanes) {
   const LaneNumbers y = select(lanes, x, INFINITY);
   return std::min(std::min(y[0], y[1]), std::min(y[2], y[3]));
 }
 
-/// Makes step k of an inversion by Gauss–Jordan elimination, in place.
-template <int N>
-void eliminate(LaneNumbers* a, int size, int k) {
-  const int n = N > 0 ? N : size;
-  LaneNumbers* const from = a + k * n;
-  const LaneNumbers scale = LaneNumbers(1) / from[k];
-  from[k] = 1;
-  for (int j = 0; j < n; ++j) from[j] *= scale;
-  LaneNumbers* to = a;
-  for (int i = 0; i < n; ++i, to += n) {
-    if (i == k) continue;
-    const LaneNumbers factor = -to[k];
-    if (N == 0 && !(!is_zero(factor)).any()) continue;
-    to[k] = 0;
-#pragma GCC unroll 4
-    for (int j = 0; j < n; ++j) to[j] = fma(factor, from[j], to[j]);
-  }
-}
-
 }  // namespace
 
 void Preconditioner::resize(int n, int m) {
-  for (std::vector<LaneNumbers>* matrix : {&inverse, &remainder, &work_}) matrix->resize(n * n);
+  for (std::vector<LaneNumbers>* matrix : {&inverse, &remainder}) matrix->resize(n * n);
   slopes.resize(n * m);
-  scales_.resize(n);
+  columns_.resize((n + 1) * registers(n));
+  work_.resize(lane_count * n * n);
+  scales_.resize(lane_count * n);
   rows_.resize(n);
-  single_.resize(n);
 }
 
-/// Finds Y with pivots that these lanes share. A pivot maximises the ratio |entry| / largest entry
-/// of its row, of which the smallest among the lanes counts. Other lanes keep their Y.
-template <int N>
+/// Finds Y by Gauss–Jordan elimination, with pivots that these lanes share. A pivot maximises the
+/// ratio |entry| / largest entry of its row, of which the smallest among the lanes counts. Other
+/// lanes keep their Y. S: double if all lanes have the same matrix.
+template <class S, int N>
 void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
+  using std::abs, std::max;
+  constexpr bool is_single = std::is_same_v<S, double>;
   const int n = N > 0 ? N : s.unknowns;
-  LaneNumbers* const a = work_.data();
+  const int size = lane_count * (is_single ? registers(n) : n);  // of a row
+  double *const all = work_.data(), *const end = all + n * size, *const scales = scales_.data();
   for (int i = 0; i < n; ++i) {
-    std::fill_n(a + i * n, n, LaneNumbers(0));
-    LaneNumbers largest(0x1p-1000);
+    double* const row = all + i * size;
+    std::fill_n(row, size, 0);
+    S largest(0x1p-1000);
     for (int e = s.row_begins[i]; e < s.input_begins[i]; ++e) {
-      a[i * n + s.entries[e]] = jacobian[e];
-      largest = max(largest, abs(jacobian[e]));
+      const S x = entry<S>(&jacobian[e].v[0], 0);
+      set_entry(row, s.entries[e], x);
+      largest = max(largest, abs(x));
     }
-    if (n > 1) scales_[i] = LaneNumbers(1) / largest;
+    if (n > 1) set_entry(scales, i, S(1) / largest);
   }
   for (int k = 0; k < n; ++k) {
+    double* const from = all + k * size;
     int pivot = k;
     double best = -1;
-    for (int i = k; i < n && k < n - 1; ++i) {
-      const double score = smallest(abs(a[i * n + k]) * scales_[i], lanes);
+    const double* row = from;
+    for (int i = k; i < n && k < n - 1; ++i, row += size) {
+      const double score = smallest(abs(entry<S>(row, k)) * entry<S>(scales, i), lanes);
       if (score > best) best = score, pivot = i;
     }
     rows_[k] = pivot;
     if (pivot != k) {
-      std::swap(scales_[k], scales_[pivot]);
-      std::swap_ranges(a + k * n, a + (k + 1) * n, a + pivot * n);
+      set_entry(scales, pivot, entry<S>(scales, k));
+      std::swap_ranges(from, from + size, all + pivot * size);
     }
-    eliminate<N>(a, n, k);
+    const LaneNumbers scale(S(1) / entry<S>(from, k));
+    set_entry(from, k, S(1));
+    for (int j = 0; j < size; j += lane_count)
+      (LaneNumbers::load(from + j) * scale).store(from + j);
+    for (double* to = all; to < end; to += size) {
+      if (to == from) continue;
+      const S factor = -entry<S>(to, k);
+      if (N == 0 && is_none(factor)) continue;
+      set_entry(to, k, S(0));
+#pragma GCC unroll 4
+      for (int j = 0; j < size; j += lane_count)
+        fma(LaneNumbers(factor), LaneNumbers::load(from + j), LaneNumbers::load(to + j))
+            .store(to + j);
+    }
   }
   // Rows were exchanged, so columns of the inverse are exchanged back.
   for (int k = n; k-- > 0;)
-    if (rows_[k] != k)
-      for (int i = 0; i < n; ++i) std::swap(a[i * n + k], a[i * n + rows_[k]]);
-  for (int i = 0; i < n * n; ++i) inverse[i] = select(lanes, a[i], inverse[i]);
+    if (const int other = rows_[k]; other != k)
+      for (double* row = all; row < end; row += size) {
+        const S x = entry<S>(row, k);
+        set_entry(row, k, entry<S>(row, other));
+        set_entry(row, other, x);
+      }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const S x = entry<S>(all + i * size, j);
+      inverse[i * n + j] = select(lanes, x, inverse[i * n + j]);
+      if constexpr (is_single) columns_[j * registers(n) + i / lane_count].set(i % lane_count, x);
+    }
 }
 
 void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
-  if (is_single_) return single_.invert(s, jacobian, inverse.data());
-  with_unrolled_size(s.unknowns, [&]<int N>() { invert<N>(s, jacobian, lanes); });
+  if (is_single_) return invert<double, 0>(s, jacobian, lanes);
+  with_unrolled_size(s.unknowns, [&]<int N>() { invert<LaneNumbers, N>(s, jacobian, lanes); });
 }
 
 /// Finds Y of three unknowns in all lanes by cofactors, without pivots.
@@ -150,9 +182,27 @@ void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, 
   }
 }
 
+/// Finds the same where all lanes have the same matrix.
+void Preconditioner::multiply_single(const BlockShape& s, const LaneNumbers* jacobian, int first,
+                                     int last, LaneNumbers* to) {
+  const int n = s.unknowns, size = registers(n), stride = last - first;
+  LaneNumbers* const product = &columns_[n * size];
+  for (int column = first; column < last; ++column, ++to) {
+    std::fill_n(product, size, LaneNumbers(0));
+    if (column < n) product[column / lane_count].set(column % lane_count, 1);
+    for (int k = s.column_begins[column]; k < s.column_begins[column + 1]; ++k) {
+      const LaneNumbers factor = -jacobian[s.column_entries[k]];
+      const LaneNumbers* const y = &columns_[s.column_rows[k] * size];
+#pragma GCC unroll 4
+      for (int i = 0; i < size; ++i) product[i] = fma(factor, y[i], product[i]);
+    }
+    for (int i = 0; i < n; ++i) to[i * stride] = std::abs(product[i / lane_count][i % lane_count]);
+  }
+}
+
 void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, int first, int last,
                               LaneNumbers* to) {
-  if (is_single_) return single_.multiply(s, jacobian, first, last, to);
+  if (is_single_) return multiply_single(s, jacobian, first, last, to);
   with_unrolled_size(s.unknowns, [&]<int N>() { multiply<N>(s, jacobian, first, last, to); });
 }
 
@@ -163,12 +213,13 @@ LaneNumbers Preconditioner::condition(const BlockShape& s, const LaneNumbers* ja
     LaneNumbers sum(0);
     for (int e = s.row_begins[r]; e < s.row_begins[r + 1]; ++e)
       sum = fma(abs(jacobian[e]), magnitudes[s.entries[e]], sum);
-    scales_[r] = sum;
+    set_entry(scales_.data(), r, sum);
   }
   LaneNumbers largest(0), all(0);
   for (int i = 0; i < n; ++i) {
     LaneNumbers sum(0);
-    for (int r = 0; r < n; ++r) sum = fma(abs(inverse[i * n + r]), scales_[r], sum);
+    for (int r = 0; r < n; ++r)
+      sum = fma(abs(inverse[i * n + r]), entry<LaneNumbers>(scales_.data(), r), sum);
     largest = max(largest, sum / magnitudes[i]);
     all += sum;
   }

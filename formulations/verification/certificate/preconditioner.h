@@ -4,7 +4,6 @@
 
 #include "formulations/verification/certificate/block_shape.h"
 #include "formulations/verification/certificate/lane_numbers.h"
-#include "formulations/verification/certificate/single_matrix.h"
 
 namespace desmo {
 
@@ -28,7 +27,7 @@ struct Preconditioner {
 
  private:
   void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
-  template <int N>
+  template <class S, int N>
   void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
   void invert_three(const BlockShape& shape, const LaneNumbers* jacobian);
   void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int first, int last,
@@ -39,12 +38,16 @@ struct Preconditioner {
   template <int N, int Count>
   void multiply(const int* rows, const int* entries, const LaneNumbers* jacobian, int size, int one,
                 LaneNumbers* to, int stride) const;
+  void multiply_single(const BlockShape& shape, const LaneNumbers* jacobian, int first, int last,
+                       LaneNumbers* to);
 
-  std::vector<LaneNumbers> work_;    // (n × n)
-  std::vector<LaneNumbers> scales_;  // of rows (n): for pivots, and R
-  std::vector<int> rows_;            // row exchanged with row k in step k of an elimination (n)
-  bool is_single_ = false;           // all lanes have the same matrix, with more than four unknowns
-  SingleMatrix single_;
+  std::vector<double> work_;    // rows of Φ_φ, then of Y
+  std::vector<double> scales_;  // of rows: for pivots, and R
+  std::vector<int> rows_;       // row exchanged with row k in step k of an elimination (n)
+  // All lanes have the same matrix, with more than four unknowns. Registers of `work_` then hold
+  // four columns of Φ_φ, and those of `columns_` four rows of Y, in place of four blocks.
+  bool is_single_ = false;
+  std::vector<LaneNumbers> columns_;  // columns of Y, each in registers(n); then a workspace
 };
 
 }  // namespace desmo
