@@ -1,8 +1,6 @@
 #include "formulations/constraints/kinds.h"
 
 #include <array>
-#include <tuple>
-#include <type_traits>
 
 #include "formulations/constraints/kind_functions.h"
 
@@ -30,9 +28,7 @@ KindDescription describe() {
 }  // namespace
 
 const KindDescription& description_of(int kind) {
-  static const auto all = []<class... Kind>(std::type_identity<std::tuple<Kind...>>) {
-    return std::array{describe<Kind>()...};
-  }(std::type_identity<ConstraintKinds>{});
+  static const auto all = table_of_kinds([]<class Kind>(Kind) { return describe<Kind>(); });
   return all.at(kind);
 }
 
