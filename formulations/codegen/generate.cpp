@@ -24,7 +24,7 @@
 #include "formulations/model/plan.h"
 #include "formulations/modelling/measures/measures.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 
 namespace desmo::generate {
 

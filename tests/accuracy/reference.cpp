@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "cases/extremes/rows.h"
-#include "formulations/parts/groupwise/groupwise_solver.h"
+#include "formulations/motion/groupwise/groupwise_solver.h"
 #include "formulations/verification/reference/wide_instant.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/library/jet.h"

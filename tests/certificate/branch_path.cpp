@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/starts.h"
 #include "tests/dead_point.h"

@@ -12,7 +12,7 @@
 #include "cases/io/files.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "formulations/verification/branch/left_out_equations.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "tests/certificate/containment.h"

@@ -16,7 +16,7 @@
 #include "formulations/model/plan.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/branch/file_variation.h"

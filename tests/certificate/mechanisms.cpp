@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/containment.h"

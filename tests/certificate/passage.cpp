@@ -15,7 +15,7 @@
 #include "cases/io/files.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "tests/certificate/drawn_four_bars.h"
 #include "tests/certificate/starts.h"
 #include "tests/dead_point.h"

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/containment.h"

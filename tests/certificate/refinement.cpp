@@ -10,7 +10,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"

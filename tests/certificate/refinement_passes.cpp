@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/containment.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "formulations/model/model.h"
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/passage.h"
 #include "formulations/verification/branch/straight_path.h"

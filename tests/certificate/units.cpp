@@ -9,7 +9,7 @@
 
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "tests/certificate/containment.h"
 

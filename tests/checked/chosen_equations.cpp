@@ -10,7 +10,7 @@
 
 #include "formulations/modelling/independence/linearisation.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "tests/overconstrained.h"
 
 namespace desmo::chosen_equations_test {

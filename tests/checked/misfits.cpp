@@ -11,7 +11,7 @@
 
 #include "formulations/model/misfit.h"
 #include "formulations/modelling/independence/linearisation.h"
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 #include "formulations/verification/run/follower.h"
 #include "formulations/verification/run/row_tally.h"
 #include "tests/certificate/containment.h"

@@ -6,7 +6,7 @@
 #include "cases/mechanism/motion.h"
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
-#include "formulations/parts/groupwise/dense_lu.h"
+#include "formulations/motion/groupwise/dense_lu.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "formulations/codegen/record/expression.h"
-#include "formulations/parts/groupwise/dense_lu.h"
+#include "formulations/motion/groupwise/dense_lu.h"
 
 namespace desmo::generate {
 

@@ -6,7 +6,7 @@
 
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/part_system.h"
-#include "formulations/parts/groupwise/dense_lu.h"
+#include "formulations/motion/groupwise/dense_lu.h"
 
 namespace desmo {
 

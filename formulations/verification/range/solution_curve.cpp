@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "formulations/model/characteristic_lengths.h"
-#include "formulations/parts/groupwise/stopping_rule.h"
+#include "formulations/motion/groupwise/stopping_rule.h"
 
 namespace desmo {
 

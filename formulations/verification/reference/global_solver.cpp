@@ -6,7 +6,7 @@
 #include <string>
 
 #include "formulations/constraints/jet.h"
-#include "formulations/parts/groupwise/stopping_rule.h"
+#include "formulations/motion/groupwise/stopping_rule.h"
 #include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo {

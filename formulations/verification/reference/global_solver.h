@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formulations/model/model.h"
-#include "formulations/parts/groupwise/reference_solver.h"
+#include "formulations/motion/groupwise/reference_solver.h"
 #include "formulations/verification/reference/scaled_factors.h"
 
 namespace desmo {

@@ -1,4 +1,4 @@
-#include "formulations/parts/groupwise/groupwise_solver_impl.h"
+#include "formulations/motion/groupwise/groupwise_solver_impl.h"
 #include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo {

@@ -5,9 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "formulations/parts/groupwise/double_solution.h"
-#include "formulations/parts/groupwise/drawn_start.h"
-#include "formulations/parts/groupwise/groupwise_solver.h"
+#include "formulations/motion/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/drawn_start.h"
+#include "formulations/motion/groupwise/groupwise_solver.h"
 #include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"
 

@@ -1,7 +1,7 @@
-#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/motion/groupwise/double_solution.h"
 
-#include "formulations/parts/groupwise/drawn_start.h"
-#include "formulations/parts/groupwise/groupwise_solver_impl.h"
+#include "formulations/motion/groupwise/drawn_start.h"
+#include "formulations/motion/groupwise/groupwise_solver_impl.h"
 
 namespace desmo {
 

@@ -10,9 +10,9 @@
 
 #include "formulations/constraints/kind_functions.h"
 #include "formulations/model/part_system.h"
-#include "formulations/parts/groupwise/dense_lu.h"
-#include "formulations/parts/groupwise/groupwise_solver.h"
-#include "formulations/parts/groupwise/stopping_rule.h"
+#include "formulations/motion/groupwise/dense_lu.h"
+#include "formulations/motion/groupwise/groupwise_solver.h"
+#include "formulations/motion/groupwise/stopping_rule.h"
 
 namespace desmo {
 

@@ -5,7 +5,7 @@
 
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
-#include "formulations/parts/groupwise/reference_solver.h"
+#include "formulations/motion/groupwise/reference_solver.h"
 
 namespace desmo {
 
