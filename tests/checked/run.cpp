@@ -131,7 +131,8 @@ TEST(CheckedRun, ProvesSamplesAndThePathBetweenThem) {
 
 /// The rows since the last sample are handed on after the run has failed at a later one.
 TEST(CheckedRun, StopsAtARowBetweenSamplesBeforeAFailure) {
-  const auto f = make_formulation(find_variant(ids[0]), locking_four_bar());
+  const Model m = locking_four_bar();
+  const auto f = make_formulation(find_variant(ids[0]), m);
   const TimeGrid grid{0, 0.1, 20};  // the dead point is between its rows 9 and 10
   RowCount all, stopping(9);
   const CheckOptions options{.mode = CheckMode::sample, .sample = 4};
@@ -139,7 +140,7 @@ TEST(CheckedRun, StopsAtARowBetweenSamplesBeforeAFailure) {
   EXPECT_EQ(all.indices.size(), 10u);
   const CheckedSummary s = run_checked(*f, grid, {Level::position}, stopping, options);
   EXPECT_TRUE(s.stopped);
-  EXPECT_EQ(s.outcome(), Outcome::converged) << describe(s, f->model());
+  EXPECT_EQ(s.outcome(), Outcome::converged) << describe(s, m);
   EXPECT_EQ(stopping.indices.size(), 10u);
 }
 
