@@ -20,7 +20,7 @@ std::vector<Section> paper_sections(const Record& record) {
           requests(record),
           checks(record),
           peers(record),
-          {sentence("time_split.section"), {}, {time_split(record)}}};
+          headed_section("time_split_section", {}, {time_split(record)})};
 }
 
 /// Names of experiments, with functions that return their sections, the short one first. The block

@@ -19,9 +19,9 @@ namespace desmo {
 /// the files that include them.
 class Peer {
  public:
-  /// Coordinates of the model that the peer finds, each once, and their values in this order. Some
-  /// of the model's may be missing, because they do not follow from the coordinates that the peer
-  /// solves for.
+  /// Coordinates of the model that the peer finds, each once, and their values in this order. The
+  /// constructor lists them. Where a library solves, some of the model's may be missing, because
+  /// they do not follow from its own.
   struct Answer : State {
     std::vector<int> coordinates;
   };
@@ -63,7 +63,7 @@ struct PeerDefinition {
   std::unique_ptr<Peer> (*make)(const Scene& scene, const Model& model);
   /// Prediction with which its steps start: quadratic is q + q̇ h + q̈ h²/2 of the last instant.
   Guess guess = Guess::quadratic;
-  bool is_by_hand = false;  ///< written for the cases alone, without a library of mechanisms
+  bool is_by_hand = false;  ///< written for the cases alone; finds every coordinate of the model
 };
 
 /// Returns the peers of this build: those written by hand and, configured with DESMO_PEERS,

@@ -16,7 +16,8 @@ KindDescription describe() {
       Kind::name, Kind::operand_sizes, Kind::constants, Kind::rows, Kind::linear, -1, {}};
   if constexpr (has_table<Kind>) result.table = Kind::table;
   // Places of entries do not depend on the values: any values serve.
-  static constexpr std::array<double, max_constants> any{1, 1, 1, 1, 1, 1, 1, 1};
+  std::array<double, max_constants> any;
+  any.fill(1);
   std::array<const double*, Kind::operand_sizes.size()> x;
   x.fill(any.data());
   Kind::jacobian(x.data(), any.data(), [&](int row, int operand, int component, double) {

@@ -1,4 +1,4 @@
-// The peer written by hand: the same answers as ours, everywhere and in everything, and no answer
+// Peers written by hand: the same answers as ours, everywhere and in everything, and no answer
 // where there is none.
 
 #include <gtest/gtest.h>
@@ -17,9 +17,7 @@
 namespace desmo::tree_peer_test {
 namespace {
 
-constexpr const char* names[] = {"tree", "tree_adams8"};
-
-/// Tests of both peers in one case, which share its references: these take longest.
+/// Tests of all of them in one case, which share its references: these take longest.
 class TreePeersOfCase : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
@@ -30,7 +28,7 @@ TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
     if (DESMO_SANITIZED && n > c.sizes[1]) break;
     // A size more is not a whole motion more.
     options.duration = n == c.sizes.front() ? DESMO_TEST_SECONDS : 0.5;
-    for (const char* name : names) {
+    for (const std::string& name : names_of_peers(true)) {
       paper::PeerCandidate candidate(paper::measured_case(c, n, options), find_peer(name), options);
       candidate.verify();
       EXPECT_TRUE(candidate.is_verified()) << candidate.name() << ": " << candidate.message();
@@ -50,7 +48,7 @@ TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
 INSTANTIATE_TEST_SUITE_P(Cases, TreePeersOfCase, testing::Values("four_bar", "truck_suspension"),
                          [](const auto& info) { return std::string(info.param); });
 
-class TreePeers : public testing::TestWithParam<const char*> {
+class TreePeers : public testing::TestWithParam<std::string> {
  protected:
   const PeerDefinition& peer = find_peer(GetParam());
 };
@@ -125,8 +123,8 @@ TEST_P(TreePeers, KnowTheCasesOfTheSuiteOnly) {
   EXPECT_THROW(peer.make(scene, model), std::invalid_argument);
 }
 
-INSTANTIATE_TEST_SUITE_P(Build, TreePeers, testing::ValuesIn(names),
-                         [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Build, TreePeers, testing::ValuesIn(names_of_peers(true)),
+                         [](const auto& info) { return info.param; });
 
 }  // namespace
 }  // namespace desmo::tree_peer_test

@@ -1,4 +1,4 @@
-// Joints in space that hold points on lines and planes: freedoms and equations. Closed forms of all
+// Joints in space that hold points on lines and planes: their equations. Closed forms of all
 // formulations: tests/load/couplings.cpp.
 
 #include <gtest/gtest.h>
@@ -10,61 +10,12 @@
 #include <vector>
 
 #include "cases/io/files.h"
-#include "cases/mechanism/joint_forms.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::space_joints_test {
 namespace {
 
 constexpr double tolerance = 1e-12;
-
-struct Joined {
-  JointType type;
-  const char* left;  ///< freedoms of a body that is joined to the ground
-};
-
-class SpaceJoint : public testing::TestWithParam<Joined> {
- protected:
-  /// A body with enough points, joined to the ground by the joint alone.
-  static Mechanism free_body(JointType type) {
-    Sketch d("free", 3);
-    const int O = d.ground_point("O", {0, 0, 0}), H = d.ground_point("H", {0, 0, 1});
-    const int z = d.ground_vector("z", {0, 0, 1});
-    const int P = d.point("P", {1, 0, type == JointType::point_on_line ? 0.0 : 0.3}),
-              Q = d.point("Q", {1, 1, 0.5}), R = d.point("R", {0, 1, 0.7});
-    switch (type) {
-      case JointType::hinge:
-        d.joint(type, Sketch::ground, d.body("body", {O, H, P, Q}), {O, H});
-        break;
-      case JointType::planar:
-        d.joint(type, Sketch::ground, d.body("body", {P, Q, R}, {z}), {O, P}, {z});
-        break;
-      case JointType::point_on_line:
-        d.joint(type, Sketch::ground, d.body("body", {P, Q, R}), {O, P},
-                {d.ground_vector("x", {1, 0, 0})});
-        break;
-      default:
-        d.joint(type, Sketch::ground, d.body("body", {P, Q, R}), {O, P}, {z});
-    }
-    return d.release();
-  }
-};
-
-TEST_P(SpaceJoint, LeavesTheOtherFreedoms) {
-  const Joined& joined = GetParam();
-  const Mechanism mechanism = free_body(joined.type);
-  expect_refused(mechanism, {},
-                 {std::string("under-constrained: ") + joined.left + " among 'body'"});
-}
-
-INSTANTIATE_TEST_SUITE_P(Table, SpaceJoint,
-                         testing::Values(Joined{JointType::hinge, "1 freedom"},
-                                         Joined{JointType::point_on_line, "4 freedoms"},
-                                         Joined{JointType::point_on_plane, "5 freedoms"},
-                                         Joined{JointType::planar, "3 freedoms"}),
-                         [](const auto& info) {
-                           return std::string(find_joint_form(info.param.type, 3)->name);
-                         });
 
 TEST(SpaceJoints, StateNoEquationTwice) {
   const Scene guides =

@@ -68,15 +68,7 @@ TEST_P(Peers, FindEveryCoordinateOnce) {
   EXPECT_LT(found.back(), model.coordinates());
 }
 
-/// Returns the names of all peers that are not written by hand.
-std::vector<std::string> libraries() {
-  std::vector<std::string> names;
-  for (const PeerDefinition& p : peers())
-    if (!p.is_by_hand) names.emplace_back(p.name);
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Build, Peers, testing::ValuesIn(libraries()),
+INSTANTIATE_TEST_SUITE_P(Build, Peers, testing::ValuesIn(names_of_peers(false)),
                          [](const auto& info) { return info.param; });
 
 using PeersOfTheBench = InFolder;
