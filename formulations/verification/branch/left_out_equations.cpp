@@ -33,12 +33,21 @@ std::vector<Equation> left_out_of(const Model& m) {
   return all;
 }
 
+/// Memory for the equations of a constraint. It is kept from one to the next, since setting it to
+/// zero costs about as much as an evaluation.
+template <class S>
+struct Workspace {
+  std::array<std::array<S, max_components>, max_operands> components;
+  std::array<S, max_constants> constants;
+  std::array<S, max_rows> phi;
+};
+
 /// Evaluates Φ of an equation in the scalar S. coordinate(i): coordinate i in S.
 template <class S>
-S value_of(const Model& m, const Equation& equation, const auto& coordinate) {
+S value_of(const Model& m, const Equation& equation, const auto& coordinate, Workspace<S>& work) {
   const Constraint& c = m.constraints[equation.constraint];
   const KindDescription& kind = description_of(c.kind);
-  std::array<std::array<S, max_components>, max_operands> components;
+  auto& [components, constants, phi] = work;
   std::array<const S*, max_operands> x{};
   for (std::size_t k = 0; k < c.operands.size(); ++k) {
     const Entity& e = m.entities[c.operands[k]];
@@ -46,14 +55,23 @@ S value_of(const Model& m, const Equation& equation, const auto& coordinate) {
       components[k][i] = e.fixed ? S(m.fixed_value(e.first + i)) : coordinate(e.first + i);
     x[k] = components[k].data();
   }
-  std::array<S, max_constants> constants;
   for (int k = 0; k < (kind.table < 0 ? kind.constants : kind.table); ++k)
     constants[k] = S(c.constants[k]);
   if (kind.table >= 0)
     set_table_constants(constants.data(), x.data(), [&](int, int k) { return c.constants[k]; });
-  std::array<S, max_rows> phi;
   KindFunctions<S>::residual(c.kind, x.data(), constants.data(), phi.data());
   return phi[equation.row];
+}
+
+/// Returns an interval that holds Φ of an equation for all dimensions of the varied model and all
+/// positions within `radius` of q.
+Interval residual(const Model& varied, const Equation& equation, std::span<const double> q,
+                  std::span<const double> radius, Workspace<Number>& work) {
+  const auto coordinate = [&](int i) { return Number(q[i], 0, radius[i]); };
+  Interval phi = value_of<Number>(varied, equation, coordinate, work).enclosure();
+  const Constraint& c = varied.constraints[equation.constraint];
+  if (!c.slack.empty()) phi.radius += c.slack[equation.row];
+  return phi;
 }
 
 }  // namespace
@@ -73,24 +91,13 @@ LeftOutEquations::LeftOutEquations(const Model& m) : m_(m), equations_(left_out_
   state_ = m.state_of(m.estimate);
 }
 
-/// Returns an interval that holds Φ of an equation for all dimensions of the varied model and all
-/// positions within `radius` of q.
-Interval LeftOutEquations::residual(const Equation& equation, std::span<const double> q,
-                                    std::span<const double> radius) const {
-  Interval phi = value_of<Number>(varied_, equation, [&](int i) {
-                   return Number(q[i], 0, radius[i]);
-                 }).enclosure();
-  const Constraint& c = varied_.constraints[equation.constraint];
-  if (!c.slack.empty()) phi.radius += c.slack[equation.row];
-  return phi;
-}
-
 std::optional<Misfit> LeftOutEquations::check(const RefinedInstant& refined,
                                               const LiveRow* drivers) {
   const std::span<const double> q = refined.instant.q;
   const auto fails = [](const Interval& phi) { return std::abs(phi.mid) > phi.radius; };
+  Workspace<Number> work;
   const auto fails_here = [&](const Equation& e) {
-    return fails(residual(e, q, refined.radius.position));
+    return fails(residual(varied_, e, q, refined.radius.position, work));
   };
   if (!refined.proven || std::ranges::none_of(equations_, fails_here)) return {};
   const Instant positions = instant_of(refined.instant.time, {q});
@@ -99,7 +106,7 @@ std::optional<Misfit> LeftOutEquations::check(const RefinedInstant& refined,
   std::ranges::copy(q, state_.begin());
   std::optional<Misfit> worst;
   for (std::size_t i = 0; i < equations_.size(); ++i) {
-    const Interval phi = residual(equations_[i], q, varied.radius.position);
+    const Interval phi = residual(varied_, equations_[i], q, varied.radius.position, work);
     if (!fails(phi)) continue;
     const Misfit found = misfit(i, phi.mid);
     if (found.relative > (worst ? worst->relative : 0)) worst = found;
@@ -118,13 +125,15 @@ bool LeftOutEquations::look_along(const PathProof& step) {
   using Path = TaylorModel<double, path_degree>;
   if (changing_.empty()) return true;  // for the others, check() is enough
   go_to(step, 0);
+  const auto path = [&](int k) {
+    Path x;
+    x.c = step.path(k);
+    x.rest = step.radius(k);
+    return x;
+  };
+  Workspace<Path> work;
   for (const std::size_t i : changing_) {
-    const Path phi = value_of<Path>(varied_, equations_[i], [&](int k) {
-      Path x;
-      x.c = step.path(k);
-      x.rest = step.radius(k);
-      return x;
-    });
+    const Path phi = value_of<Path>(varied_, equations_[i], path, work);
     const bool is_long = !(misfit(i, phi.magnitude()).relative <= max_misfit);
     const auto is_missed = [&](double s) { return std::abs(value_at(phi.c, s)) > phi.rest; };
     if (!is_long && std::ranges::none_of(looks, is_missed)) continue;
@@ -141,12 +150,12 @@ void LeftOutEquations::go_to(const PathProof& step, double s) {
 /// Returns the s among `looks` at which |Φ| of equation i is largest on the path of a step.
 double LeftOutEquations::worst_place(std::size_t i, const PathProof& step) {
   double largest = -1, place = 0;
+  Workspace<Number> work;
   for (const double s : looks) {
     go_to(step, s);
+    const auto coordinate = [&](int k) { return Number(state_[k]); };
     const double phi =
-        std::abs(value_of<Number>(varied_, equations_[i], [&](int k) { return Number(state_[k]); })
-                     .enclosure()
-                     .mid);
+        std::abs(value_of<Number>(varied_, equations_[i], coordinate, work).enclosure().mid);
     if (phi > largest) largest = phi, place = s;
   }
   return place;
@@ -172,7 +181,9 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
   }
   // No misfit is proven at the point. If one may exceed half of max_misfit even over the point's
   // own box, shorter steps are given up: they would hardly prove more.
-  const Interval phi = residual(equations_[i], point.instant.q, point.radius.position);
+  Workspace<Number> work;
+  const Interval phi =
+      residual(varied_, equations_[i], point.instant.q, point.radius.position, work);
   return !(misfit(i, phi.magnitude()).relative <= max_misfit / 2);
 }
 

@@ -63,8 +63,6 @@ class LeftOutEquations {
   }
 
  private:
-  Interval residual(const Equation& equation, std::span<const double> q,
-                    std::span<const double> radius) const;
   /// Returns the misfit that a residual of equation i means. Slopes are taken at `state_`.
   Misfit misfit(std::size_t i, double residual) const;
   void go_to(const PathProof& step, double s);
