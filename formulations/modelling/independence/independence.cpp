@@ -82,14 +82,13 @@ std::optional<Contradiction> find_contradiction(const GroupSystem& s,
       if (i == movement_steps / 2) half = whole;
     }
     Eigen::Index worst = 0;
-    const double largest_misfit = whole.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);
-    if (largest_misfit <= max_misfit &&
-        extrapolated(half, whole).cwiseAbs().maxCoeff() <= max_misfit)
+    const double worst_misfit = whole.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);
+    if (worst_misfit <= max_misfit && extrapolated(half, whole).cwiseAbs().maxCoeff() <= max_misfit)
       return {};
-    if (found && !std::isfinite(largest_misfit))
+    if (found && !std::isfinite(worst_misfit))
       continue;  // e.g. outside of a table: the first direction tells more
     const int constraint = s.rows[worst].first;
-    found = {constraint, largest_misfit, movement, contradicted(s, whole, constraint)};
+    found = {constraint, worst_misfit, movement, contradicted(s, whole, constraint)};
   }
   return found;
 }

@@ -5,13 +5,13 @@
 
 namespace desmo {
 
-std::array<LargestNorm, 2> largest_norms(const Model& m, std::span<const double> values) {
-  std::array<LargestNorm, 2> result;  // norms are squared until the end
+std::array<MaxNorm, 2> max_norms(const Model& m, std::span<const double> values) {
+  std::array<MaxNorm, 2> result;  // norms are squared until the end
   for (const Entity& e : m.entities) {
     if (e.fixed) continue;
     double squares = 0;
     for (int i = e.first; i < e.first + e.size; ++i) squares += values[i] * values[i];
-    LargestNorm& largest = result[is_length(e.kind)];
+    MaxNorm& largest = result[is_length(e.kind)];
     if (squares > largest.norm && squares < INFINITY) largest = {squares, e.group};
   }
   for (auto& [norm, group] : result) norm = std::sqrt(norm);
@@ -25,7 +25,7 @@ RelativeRadius relative_radius(const Model& m, const PerLevel<std::span<const do
   for (const Level level : all_levels) {
     if (radius[level].empty()) continue;
     // Infinite radii are unproven, or of a level that is not solved.
-    const std::array<LargestNorm, 2> norms = largest_norms(m, radius[level]);
+    const std::array<MaxNorm, 2> norms = max_norms(m, radius[level]);
     for (const bool lengths : {false, true}) {
       const auto& [norm, group] = norms[lengths];
       const double own = norm * above;

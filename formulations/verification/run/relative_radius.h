@@ -10,14 +10,14 @@
 namespace desmo {
 
 /// The largest norm of some entities, and the group of the one that has it.
-struct LargestNorm {
+struct MaxNorm {
   double norm = 0;
   GroupId group = no_position;
 };
 
 /// Returns the largest norms of values (coordinates) of entities that move: of directions and
 /// angles, then of points and distances. Leaves out those that are not finite.
-std::array<LargestNorm, 2> largest_norms(const Model& model, std::span<const double> values);
+std::array<MaxNorm, 2> max_norms(const Model& model, std::span<const double> values);
 
 /// Largest radii of an instant, over scales and in their own units.
 struct RelativeRadius {

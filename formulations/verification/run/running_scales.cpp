@@ -38,7 +38,7 @@ void RunningScales::take(const Instant& instant) {
   const PerLevel<std::span<const double>> values{instant.q, instant.qd, instant.qdd};
   for (const Level level : rate_levels) {
     if (values[level].empty()) continue;
-    const auto [rotation, length] = largest_norms(m_, values[level]);
+    const auto [rotation, length] = max_norms(m_, values[level]);
     seen_.rotation[level] = std::max(seen_.rotation[level], rotation.norm);
     seen_.length[level] = std::max(seen_.length[level], length.norm);
   }
