@@ -113,6 +113,22 @@ TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
   }
 }
 
+/// The boom is hardly longer than the ground, and the driver much shorter. So the tangents of the
+/// branches that cross next to zero hardly differ.
+TEST_F(Cli, ADistanceThatIsDrawnShortGoesNotBelowZero) {
+  write("scene.json", R"({"format": "desmo-scene", "version": 2, "time": {"at": 0},
+    "motion": {"l": {"type": "constant", "from": "drawing", "value": 0}},
+    "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "boom", "dimension": 2,
+      "points": {"O": [0, 0], "A": [1, 0], "B": [0.99955, 0.0299966]},
+      "ground": {"points": ["O", "A"]},
+      "bodies": {"boom": {"points": ["O", "B"], "length": 1.00000001}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "boom"], "points": ["O"]}],
+      "coordinates": {"l": {"distance": ["A", "B"]}}, "drivers": ["l"]}})");
+  const Json end = json_of("range scene.json --json")["drivers"][0]["ends"][0];
+  EXPECT_EQ(end["stop"], "zero_length");
+  EXPECT_NEAR(end["value"].get<double>(), 0, 1e-7);
+}
+
 /// The note says nothing of positions beyond the start.
 TEST_F(Cli, RangesSayWhichEquationsDoNotHoldAtTheStart) {
   write("flap.json", flaps(1, 4e-7));

@@ -173,6 +173,14 @@ TEST(FourBarRange, OfARackIsLookedForAtUpToTenTimesTheSize) {
   }
 }
 
+/// Doubles are 1e-7 rad apart there, more than equal values of the driver may differ.
+TEST(FourBarRange, FarFromZeroIsOneTurnToo) {
+  const DriverRange r = range_of(four_bar({2, 6, 5, 7}, 1 + 1e8 * 2 * pi));
+  EXPECT_EQ(r.up.stop, RangeStop::full_turn);
+  EXPECT_EQ(r.up.turns, 1);
+  EXPECT_NEAR(r.up.value - r.start, 2 * pi, 1e-6);
+}
+
 TEST(FourBarRange, OfACrankAloneIsATurn) {
   MechanismBuilder builder("crank", 2);
   add(builder, {.crank = 1, .start = 0.5, .dyads = {}});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -34,14 +35,19 @@ bool DriverSweep::choose_equations(Point& point) {
   return true;
 }
 
+/// Returns whether a point is the start, to the accuracy and to what the driver's rounding moves.
 bool DriverSweep::is_start(const Point& point) const {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double rounding = epsilon * std::abs(curve().value(point)) / curve().scale();
   const std::vector<EntityId> owner = entity_of_coordinate(model());
   for (std::size_t j = 0; j < curve().unknowns().size(); ++j) {
     const int i = curve().unknowns()[j];
     double change = point.state[i] - start_.state[i];
     if (model().entities[owner[i]].kind == EntityKind::angle)
       change = std::remainder(change, 2 * std::numbers::pi);
-    if (!(std::abs(change) <= limits_.accuracy * curve().scale(static_cast<int>(j)))) return false;
+    const double moved = rounding * std::abs(point.tangent[static_cast<int>(j)] / point.speed());
+    const double max_change = (limits_.accuracy + moved) * curve().scale(static_cast<int>(j));
+    if (!(std::abs(change) <= max_change + epsilon * std::abs(point.state[i]))) return false;
   }
   return true;
 }
@@ -204,12 +210,15 @@ std::optional<DriverSweep::Refusal> DriverSweep::refuse_turn(Progress& at, const
 std::optional<DriverSweep::Refusal> DriverSweep::refuse_crossing(Progress& at, Step& step) {
   step.determinants = determinants(step.to);
   const std::vector<int> changed = at.determinants.changed(step.determinants);
-  step.crosses = step.to.sign != at.point.sign || !changed.empty();
+  const bool passes_zero =
+      followed_->is_driver_positive && curve().value(start_) * curve().value(step.to) < 0;
+  step.crosses = step.to.sign != at.point.sign || !changed.empty() || passes_zero;
   if (!step.crosses) return {};
   if (at.length > limits_.max_crossing_step && !step.is_across) {
     at.length /= 2;
     return Refusal{};
   }
+  if (passes_zero) return Refusal{RangeEnd{.stop = RangeStop::zero_length}};
   if (std::optional<RangeEnd> zero = add_crossing(at.far, at.length, changed))
     return Refusal{std::move(zero)};
   return {};
