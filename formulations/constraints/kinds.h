@@ -33,7 +33,8 @@ struct KindDescription {
   std::vector<EntryPlace> entries;  ///< in the order in which jacobian() emits them
 };
 
-/// Returns the description of the kind at that position of ConstraintKinds.
+/// Returns the description of the kind at that position of ConstraintKinds. Throws
+/// std::out_of_range if there is none.
 const KindDescription& description_of(int kind);
 
 /// Functions of the kind at that position of ConstraintKinds, as constraints.h describes them, in

@@ -22,8 +22,8 @@ std::array<S, max_constants> dimensions_at(const Constraint& constraint, const S
   return all;
 }
 
-/// Returns a pointer to the first component of each operand of a constraint. state:
-/// (Model::state_size()), in any scalar; it must outlive them.
+/// Returns a pointer to the first component of each operand of a constraint; null beyond the last
+/// one. state: (Model::state_size()), in any scalar; it must outlive them.
 template <class S>
 std::array<const S*, max_operands> operands_of(const Model& m, const Constraint& constraint,
                                                const S* state) {
